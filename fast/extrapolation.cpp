@@ -52,12 +52,16 @@ struct CentralFactors {
   CentralParts regular, irregular;
   double smallest_at_least, smallest_by_film;
 };
-constexpr CentralFactors of_mild{.regular = {.s = 0.25, .r = 0.1},
-                                 .irregular = {.s = 0.5, .r = 0.4},
-                                 .smallest_at_least = 0.01,
-                                 .smallest_by_film = 0.3};
-constexpr CentralFactors of_stiff{
-    .regular = {.s = 0.5, .r = 0.15}, .irregular = {.s = 1, .r = 1}, .smallest_at_least = 0.05, .smallest_by_film = 1};
+constexpr CentralFactors central_wide{.regular = {.s = 0.5, .r = 0.03},
+                                      .irregular = {.s = 1, .r = 0.1},
+                                      .smallest_at_least = 0.01,
+                                      .smallest_by_film = 0.3};
+constexpr CentralFactors central_mild{.regular = {.s = 0.5, .r = 0.06},
+                                      .irregular = {.s = 1, .r = 0.15},
+                                      .smallest_at_least = 0.01,
+                                      .smallest_by_film = 0.3};
+constexpr CentralFactors central_stiff{
+    .regular = {.s = 1, .r = 0.1}, .irregular = {.s = 1, .r = 0.3}, .smallest_at_least = 0.05, .smallest_by_film = 1};
 
 /// The same of the smallest film: a, b, c, d, e.
 struct SmallestParts {
@@ -175,7 +179,7 @@ Limit limit_of(const std::vector<double>& f) {
 double central_film_error(const std::vector<double>& central, const std::vector<double>& minimum, MapFit fit,
                           double L) {
   const Moves own = moves_of(central), smallest = moves_of(minimum);
-  const CentralFactors& of = L <= mild_L ? of_mild : of_stiff;
+  const CentralFactors& of = L <= wide_spike_L ? central_wide : L <= mild_L ? central_mild : central_stiff;
   const double move = std::max(last_move(central), last_move(minimum));
   if (central.size() == 3) {
     const double three = L <= mild_L            ? central_three_mild

@@ -201,17 +201,17 @@ BOOST_AUTO_TEST_CASE(irregular_moves_of_the_smallest_film_count_less_up_to_512_i
   BOOST_TEST(on(20.1, 512) == on(20.1, 513));
 }
 
-// With a thirtieth, 30 of 1,226 central films beyond L = 15 missed, by up to 5.6.
-BOOST_AUTO_TEST_CASE(beyond_L_15_the_central_film_states_more_of_a_regular_move_and_less_of_an_irregular_one) {
+// With a thirtieth of a regular move, 30 of 1,226 central films beyond L = 15 missed, by up to 5.6.
+BOOST_AUTO_TEST_CASE(the_central_film_states_a_tenth_of_a_regular_move_beyond_L_15_and_more_of_an_irregular_one) {
   const auto last_moves = [](const std::vector<double>& f) {
     const auto R = [&](std::size_t k) { return (4 * f[k] - f[k - 1]) / 3; };
     return std::pair(std::abs(R(3) - R(2)) / f[3], std::abs(8 * (R(3) - R(2)) - (R(2) - R(1))) / 7 / f[3]);
   };
   const std::vector<double> regular = sequence(4, 0.02, 0.01, 0.001, 0), irregular{0.2, 0.21, 0.207, 0.2065};
-  EHD_CHECK(error(fast::central_film_error(regular, regular, MapFit::settled, 20), 0.15 * last_moves(regular).first),
+  EHD_CHECK(error(fast::central_film_error(regular, regular, MapFit::settled, 20), 0.1 * last_moves(regular).first),
             Tolerance::round_off(64, 1000));
   const auto [R_move, S_move] = last_moves(irregular);
-  EHD_CHECK(error(fast::central_film_error(irregular, irregular, MapFit::settled, 20), std::max(S_move, R_move)),
+  EHD_CHECK(error(fast::central_film_error(irregular, irregular, MapFit::settled, 20), std::max(S_move, 0.3 * R_move)),
             Tolerance::round_off(64, 100));
   // A tie to the smallest film: a twentieth of its move, or all of it for thick films.
   const std::vector<double> still{0.1, 0.1, 0.1, 0.1};
@@ -223,10 +223,11 @@ BOOST_AUTO_TEST_CASE(beyond_L_15_the_central_film_states_more_of_a_regular_move_
 }
 
 // S may stand still by chance: at (38, 14.2) the central film was 4.9 stated errors off with a seventieth of the move.
-BOOST_AUTO_TEST_CASE(a_tenth_of_the_regular_last_move_of_the_central_film_is_stated) {
+BOOST_AUTO_TEST_CASE(a_share_of_the_regular_last_move_of_the_central_film_is_stated) {
   const std::vector<double> f = sequence(4, 0.02, 0.01, 0.001, 0);
   const double move = std::abs((4 * f[3] - f[2]) / 3 - (4 * f[2] - f[1]) / 3) / f[3];
-  EHD_CHECK(error(fast::central_film_error(f, f, MapFit::settled, 12), 0.1 * move), Tolerance::round_off(64, 1000));
+  for (const auto& [L, share] : {std::pair(8.0, 0.03), std::pair(8.1, 0.06), std::pair(15.0, 0.06)})
+    EHD_CHECK(error(fast::central_film_error(f, f, MapFit::settled, L), share * move), Tolerance::round_off(64, 1000));
 }
 
 BOOST_AUTO_TEST_CASE(from_three_grids_on_second_and_third_order_errors_are_gone) {
