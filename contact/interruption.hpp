@@ -10,6 +10,8 @@ namespace ehd {
 
 /// What a record's reason says of a solve that was ended so.
 inline constexpr const char* interrupted_reason = "cancelled by the caller";
+/// What it says of a solve that time ended. Other limits end at the same place on every machine.
+inline constexpr const char* time_limit_reason = "ended by the time limit";
 
 /// Whether this thread's caller wants its solve to end. False where nobody can say so.
 [[nodiscard]] bool interrupted();

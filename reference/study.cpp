@@ -7,6 +7,7 @@
 
 #include "contact/estimate.hpp"
 #include "contact/film_formulas.hpp"
+#include "contact/interruption.hpp"
 #include "contact/known_pressures.hpp"
 #include "contact/nondimensional.hpp"
 #include "contact/observables.hpp"
@@ -307,9 +308,9 @@ Solution solve_grids(Study& study, const std::function<Grid(int)>& grid_of, cons
   std::optional<Level> last = start;
   std::optional<Truncation> truncation;
   Solution solution;
-  bool out_of_time = false;
+  bool out_of_time = false, no_time = false;
   for (const int n : sizes) {
-    out_of_time = last && asked.any() && study.no_time_to_double();
+    no_time = out_of_time = last && asked.any() && study.no_time_to_double();
     if (out_of_time) break;
     const bool insist = asked.any() || n == sizes.back();  // without this half only the error estimate is lost
     std::optional<Level> level = last ? study.solve(grid_of(n), *last, insist) : study.solve(grid_of(n), insist);
@@ -336,7 +337,7 @@ Solution solve_grids(Study& study, const std::function<Grid(int)>& grid_of, cons
   if (out_of_time) {
     solution.record.cost = study.cost(solution.record.cost.nodes);  // with the cost of the grid that was given up
     solution.record.status = StopReason::limit_reached;
-    solution.record.reason = "iterations or time ended before " + finest;
+    solution.record.reason = (no_time ? time_limit_reason : "iterations or time ended") + (" before " + finest);
   } else if (asked.any()) {
     solution.record.status = StopReason::tolerance_not_met;
     solution.record.reason = "the estimated errors of the films exceed the tolerance on " + finest;

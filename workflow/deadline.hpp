@@ -5,6 +5,7 @@
 #include <chrono>
 #include <optional>
 
+#include "contact/interruption.hpp"
 #include "workflow/bearing_response.hpp"
 #include "workflow/contact_cache.hpp"
 
@@ -23,7 +24,7 @@ class Deadline {
   [[nodiscard]] ContactResponder limiting(ContactResponder responder) const;
 
   // What reasons say, so that a later run can tell a row that had too little time from one that never ends.
-  static constexpr const char* out_of_time = "ended by the time limit";
+  static constexpr const char* out_of_time = time_limit_reason;
   static constexpr const char* not_run = "not run: the time for everything has passed";
 
  private:

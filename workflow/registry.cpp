@@ -86,6 +86,7 @@ Solution solved_by(const S& solver, const Problem& problem, const Request& reque
 void name_limit(StopReason status, std::string& reason, std::chrono::steady_clock::time_point begin, double limit_s) {
   if (status != StopReason::limit_reached) return;
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  if (reason.find(Deadline::out_of_time) != std::string::npos) return;
   if (passed.count() >= limit_s)
     reason += (reason.empty() ? "" : "; ") + std::string(Deadline::out_of_time);
   else if (interrupted())
