@@ -102,7 +102,7 @@ void compare_pressure(const Case& contact_case, const SubmittedProfile& profile,
   const RegisteredSolver& solver = certified_solver();
   const ContactRun run =
       run_contact(contact_case, solver, Request{.tolerance = truth_tolerance, .time_limit_s = truth_limit_s});
-  if (run.status() != StopReason::converged || pressure_cut(run.solution)) return;
+  if (run.status() != StopReason::converged || pressure_cut(run)) return;
   const Profile certified = pressure_profile(run.solution.fields);
   const double error = relative_l2_error({profile.X, profile.P}, certified);
   if (!std::isfinite(error)) return;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "contact/text.hpp"
 #include "verification/median.hpp"
 
 namespace ehd::verification::stress {
@@ -41,9 +42,16 @@ StatedError ErrorCount::add(const Compared& number) {
   return verdict;
 }
 
-std::vector<Cell> ErrorCount::cells(std::string_view name, std::size_t points) const {
-  return {name,   asked, points, judged,  held,
-          within, known, worst,  largest, judged > 0 ? std::optional(median(inflation)) : std::nullopt};
+std::vector<Cell> ErrorCount::cells(const std::string& name, std::size_t points) const {
+  return {fmt::format("{} to {}", name, plain(asked)),
+          points,
+          judged,
+          held,
+          within,
+          known,
+          worst,
+          largest,
+          judged > 0 ? std::optional(median(inflation)) : std::nullopt};
 }
 
 void judge_share(const ErrorCount& count, std::size_t points, const Tolerance& tolerance, const std::string& what,

@@ -33,10 +33,10 @@ struct ErrorCount {
 
   StatedError add(const Compared& number);
   /// A row of error_count_columns.
-  [[nodiscard]] std::vector<Cell> cells(std::string_view name, std::size_t points) const;
+  [[nodiscard]] std::vector<Cell> cells(const std::string& name, std::size_t points) const;
 };
 inline constexpr std::string_view error_count_columns =
-    "number | tolerance | points | judged | stated error holds | differs by at most the tolerance | states at most the "
+    "number | points | judged | stated error holds | differs by at most the tolerance | states at most the "
     "tolerance | difference/stated [most] | difference [most] | stated/difference [median]";
 
 /// The share of stated errors that do not hold, against `tolerance`. Inconclusive where fewer than nine in ten could be

@@ -34,10 +34,10 @@ bool only_waits(const Case& one) {
 
 /// Fields as functions, between the nodes too.
 struct Functions {
-  explicit Functions(const Solution& solution)
-      : pressure(solution.fields.X, solution.fields.P, solution.fields.elements),
-        film(solution.fields.X, solution.fields.H, solution.fields.elements),
-        cut(pressure_cut(solution)) {}
+  explicit Functions(const ContactRun& run)
+      : pressure(run.solution.fields.X, run.solution.fields.P, run.solution.fields.elements),
+        film(run.solution.fields.X, run.solution.fields.H, run.solution.fields.elements),
+        cut(pressure_cut(run)) {}
   Profile pressure, film;
   std::optional<double> cut;  ///< pressures are shown up to here
 
@@ -57,7 +57,7 @@ std::optional<Functions> functions_of(const ContactRun& run) {
   const Fields& fields = run.solution.fields;
   if (run.status() == StopReason::diverged || fields.X.size() < 2) return std::nullopt;
   if (!fields.P.allFinite() || !fields.H.allFinite() || !(fields.H.minCoeff() > 0)) return std::nullopt;
-  return Functions(run.solution);
+  return Functions(run);
 }
 
 /// The drawn part of X: from a hundredth of the largest pressure (at most -2, at least the inlet) to 0.3 max(1, X*)
@@ -146,7 +146,7 @@ Json solver_json(const ContactRun& run) {
     if (whole.contains("film") && whole["film"].contains(film)) json["film"][film] = whole["film"][film];
   if (whole.contains("pressure")) json["pressure"] = whole["pressure"];
   put(json, "field_error", field_error(run.solution));
-  put(json, "pressure_cut", pressure_cut(run.solution));
+  put(json, "pressure_cut", pressure_cut(run));
   return json;
 }
 
