@@ -62,9 +62,12 @@ std::string unknown_word(CLI::App& app, const std::string& command) {
 /// What takes less memory, of the options that the command has. Empty: none.
 std::string needs_less_memory(const CLI::App& app) {
   std::string advice;
-  for (const char* less : {"a smaller --nodes", "a larger --tolerance", "a smaller --threads"})
-    if (app.get_option_no_throw(less + std::string_view(less).find("--")))
-      advice += (advice.empty() ? "" : " or ") + std::string(less);
+  for (const char* less : {"a smaller --nodes", "a larger --tolerance", "a smaller --threads"}) {
+    const std::string name = less + std::string_view(less).find("--");
+    const CLI::Option* nodes = app.get_option_no_throw("--nodes");
+    if (name == "--tolerance" && nodes && nodes->count() > 0) continue;  // they exclude each other
+    if (app.get_option_no_throw(name)) advice += (advice.empty() ? "" : " or ") + std::string(less);
+  }
   return advice.empty() ? "" : advice + " needs less";
 }
 

@@ -25,7 +25,10 @@ constexpr Interval times_s{.low = 0, .high = 1e9, .open_low = true};  // longer 
 
 void RequestOptions::add_to(Command& command, bool with_accuracy) {
   if (with_accuracy) {
-    command.text("--tolerance", tolerance, "relative error allowed in the minimum and central film (1e-3)").called("T");
+    command
+        .text("--tolerance", tolerance,
+              "relative error allowed in the minimum and central film, of those that the chosen quantities need (1e-3)")
+        .called("T");
     command.text("--tolerance-minimum", tolerance_minimum, "instead, of the minimum film").called("T");
     command.text("--tolerance-central", tolerance_central, "instead, of the central film; one or both").called("T");
     command.text("--nodes", nodes, "intervals on the finest grid instead, inlet to exit, at least 16").called("N");
@@ -64,10 +67,11 @@ void RequestOptions::require_wanted(const Wanted& wanted) const {
     if (!text || serves(film, wanted)) return;
     std::string names;
     for (const Quantity quantity : wanted) names.append(names.empty() ? "" : ", ").append(to_string(quantity));
-    throw option_error(option, *text,
-                       fmt::format("is of a film that {} does not need; allowed is the tolerance of the other film, or "
-                                   "--quantity {} as well",
-                                   names, to_string(film)));
+    throw option_error(
+        option, *text,
+        fmt::format("is of a film that the chosen {} {} not need; required is to leave it out, or to add "
+                    "--quantity {}",
+                    names, wanted.size() == 1 ? "does" : "do", to_string(film)));
   };
   require("--tolerance-minimum", tolerance_minimum, Quantity::film_minimum);
   require("--tolerance-central", tolerance_central, Quantity::film_central);

@@ -146,12 +146,12 @@ void share_axes(std::vector<Figure>& figures) {
 
 std::string contact_picture(const ContactRun& run, const std::string& title) {
   const Fields& fields = run.solution.fields;
-  const std::optional<double> cut = pressure_cut(run.solution);
+  const std::optional<double> cut = pressure_cut(run);
   Array P = fields.P;
   if (cut) P = P.min(*cut);
   const auto values = [](const auto& field) { return std::vector<double>(field.begin(), field.end()); };
   std::optional<report::Point> vague;
-  if (const auto spike = vague_spike(run.solution)) vague = {*spike->place, spike->value};
+  if (const auto spike = vague_spike(run)) vague = {*spike->place, spike->value};
   const report::ContactCurves curves{.name = run.solver.empty() ? "Hertz" : run.solver,
                                      .X = values(fields.X),
                                      .P = values(P),

@@ -47,7 +47,6 @@ int plan(const PlanOptions& options) {
   const auto& solver = solver_named(options.solver.value_or(default_solver().name));
   const Request request = options.request.request();
   const Wanted wanted = quantities_named(options.quantities);
-  options.request.require_wanted(wanted);
   const Case any = options.changes.read(options.case_name);
   require_distinct({{"the case", any.file}}, {{"--json", options.json.value_or("")}});
   // A request that solve or bearing would refuse is refused here as well.
@@ -64,6 +63,7 @@ int plan(const PlanOptions& options) {
   } else {
     if (!options.laws.empty())
       throw UsageError("plan: --law belongs to a bearing; allowed with a contact case is --solver");
+    options.request.require_wanted(wanted);
     const auto& contact = std::get<ContactCase>(any.body);
     if (!contact.dry()) require_memory(solver, request);
     made = plan_contact(contact, solver, request, wanted);

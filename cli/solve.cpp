@@ -223,6 +223,7 @@ int solve(const SolveOptions& options) {
     run = stated.from_case ? run_contact(*stated.from_case, solver, request, wanted)
                            : run_contact(stated.contact, solver, request, wanted);
   }
+  if (!options.quantities.empty()) require_chosen(wanted, run);
   if (wisdom) wisdom->append(learned_fft_plans());
   const bool solution = run.status() != StopReason::diverged && run.solution.fields.X.size() > 0;
   if (profile && solution) profile->append(profile_csv(run));
@@ -257,7 +258,10 @@ void describe_solve(Command& command) {
   command.text("--solver", options->solver, "one of " + solver_names()).showing_default().completed_by(solver_names());
   options->request.add_to(command);
   options->changes.add_to(command);
-  command.list("--quantity", options->quantities, "compute only this quantity (repeatable), e.g. film.minimum");
+  command.list(
+      "--quantity", options->quantities,
+      "compute only this quantity, as finely as it needs (repeatable), e.g. film.minimum; a pressure that is not known "
+      "well enough ends the solve as tolerance-not-met");
   command.text("--json", options->json, "the result as JSON into a file, or - for standard output");
   command.text("--profile", options->profile, "pressure, film, density and viscosity over X as CSV");
   command.text("--plot", options->plot, "pressure and film over the contact as a figure: FILE.svg or FILE.png");

@@ -115,11 +115,11 @@ Json cost_json(const Cost& cost) {
 
 /// What is known of the fields themselves, which --profile writes. Films above may be extrapolated; they are then
 /// better known.
-Json fields_json(const Solution& solution) {
+Json fields_json(const ContactRun& run) {
   Json json;
-  put(json, "film_error", field_error(solution));
-  put(json, "pressure_error", pressure_error(solution));
-  json["pressure_resolved"] = pressure_known(solution);
+  put(json, "film_error", field_error(run.solution));
+  put(json, "pressure_error", pressure_error(run.solution));
+  json["pressure_resolved"] = pressure_known(run);
   return json;
 }
 
@@ -197,7 +197,7 @@ Json to_json(const ContactRun& run) {
   json["groups"] = groups_json(run.groups, run.scales);
   put_observables(json, run);
   if (run.status() != StopReason::diverged && run.solution.fields.X.size() > 0)
-    json["fields"] = fields_json(run.solution);
+    json["fields"] = fields_json(run);
   json["cost"] = cost_json(run.solution.record.cost);
   json["plan"] = to_json(run.plan);
   json["notes"] = run.notes;

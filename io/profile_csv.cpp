@@ -20,16 +20,16 @@ constexpr double reach_of_spike = 0.03;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Where the pressure is not shown as it is.
-ArrayOf<bool> cut_nodes(const Solution& solution) {
-  const auto cut = pressure_cut(solution);
-  const Array& P = solution.fields.P;
+ArrayOf<bool> cut_nodes(const ContactRun& run) {
+  const auto cut = pressure_cut(run);
+  const Array& P = run.solution.fields.P;
   return cut ? ArrayOf<bool>(!(P <= *cut)) : ArrayOf<bool>(ArrayOf<bool>::Constant(P.size(), false));
 }
 
-Array shown_pressure(const Solution& solution) {
-  const auto cut = pressure_cut(solution);
-  const Array& P = solution.fields.P;
-  return cut ? Array(cut_nodes(solution).select(*cut, P)) : P;
+Array shown_pressure(const ContactRun& run) {
+  const auto cut = pressure_cut(run);
+  const Array& P = run.solution.fields.P;
+  return cut ? Array(cut_nodes(run).select(*cut, P)) : P;
 }
 
 bool is_lubricated(const Fields& fields) {
@@ -39,14 +39,14 @@ bool is_lubricated(const Fields& fields) {
 std::optional<Array> relative_density(const ContactRun& run) {
   const Fields& fields = run.solution.fields;
   if (!is_lubricated(fields)) return std::nullopt;
-  return cut_nodes(run.solution).select(no_number, fields.density);
+  return cut_nodes(run).select(no_number, fields.density);
 }
 
 std::optional<Array> relative_viscosity(const ContactRun& run) {
   const Fields& fields = run.solution.fields;
   if (!is_lubricated(fields)) return std::nullopt;
   const Array eta = fields.log_viscosity.unaryExpr([](double log) { return std::exp(log); });
-  return (cut_nodes(run.solution) || !eta.isFinite()).select(no_number, eta);
+  return (cut_nodes(run) || !eta.isFinite()).select(no_number, eta);
 }
 
 std::optional<Array> in_SI(const ContactRun& run, SIScale scale, const Array& values) {
@@ -55,35 +55,33 @@ std::optional<Array> in_SI(const ContactRun& run, SIScale scale, const Array& va
 }
 
 /// The error of a whole field at the nodes; NaN beside a spike of unknown height, where it is not known.
-std::optional<Array> at_nodes(const std::optional<double>& error, const Solution& solution) {
-  const Array& X = solution.fields.X;
+std::optional<Array> at_nodes(const std::optional<double>& error, const ContactRun& run) {
+  const Array& X = run.solution.fields.X;
   if (!error || X.size() == 0) return std::nullopt;
   const Array errors = Array::Constant(X.size(), *error);
-  const auto spike = vague_spike(solution);
+  const auto spike = vague_spike(run);
   if (!spike) return errors;
   return ((X - *spike->place).abs() <= reach_of_spike).select(no_number, errors);
 }
 
-std::optional<Array> film_errors(const ContactRun& run) { return at_nodes(field_error(run.solution), run.solution); }
+std::optional<Array> film_errors(const ContactRun& run) { return at_nodes(field_error(run.solution), run); }
 
-std::optional<Array> pressure_errors(const ContactRun& run) {
-  return at_nodes(pressure_error(run.solution), run.solution);
-}
+std::optional<Array> pressure_errors(const ContactRun& run) { return at_nodes(pressure_error(run.solution), run); }
 
 std::optional<Array> is_unresolved(const ContactRun& run) {
-  if (pressure_known(run.solution) || run.solution.fields.P.size() == 0) return std::nullopt;
-  return cut_nodes(run.solution).cast<double>();
+  if (pressure_known(run) || run.solution.fields.P.size() == 0) return std::nullopt;
+  return cut_nodes(run).cast<double>();
 }
 
 static_assert(shown_of_unresolved == 1.5);  // the row of P_unresolved names it
 constexpr std::array<ProfileRow, most_profile_columns> columns_of_profile{{
     {"X", "x/b", [](const ContactRun& run) { return std::optional(run.solution.fields.X); }},
-    {"P", "p/p_H", [](const ContactRun& run) { return std::optional(shown_pressure(run.solution)); }},
+    {"P", "p/p_H", [](const ContactRun& run) { return std::optional(shown_pressure(run)); }},
     {"H", "h R/b^2", [](const ContactRun& run) { return std::optional(run.solution.fields.H); }},
     {"rho", "rho/rho_0", relative_density},
     {"eta", "eta/eta_0", relative_viscosity},
     {"x_m", "m", [](const ContactRun& run) { return in_SI(run, SIScale::length, run.solution.fields.X); }},
-    {"p_Pa", "Pa", [](const ContactRun& run) { return in_SI(run, SIScale::pressure, shown_pressure(run.solution)); }},
+    {"p_Pa", "Pa", [](const ContactRun& run) { return in_SI(run, SIScale::pressure, shown_pressure(run)); }},
     {"h_m", "m", [](const ContactRun& run) { return in_SI(run, SIScale::film, run.solution.fields.H); }},
     {"H_error", "relative", film_errors},
     {"P_unresolved", "maximum not known; 1: cut at 1.5", is_unresolved},

@@ -110,7 +110,7 @@ Journal::Journal(const std::filesystem::path& folder, const JournalHeader& heade
   if (found.header != content_of(header)) {
     const Json stated = Json::parse(found.header, nullptr, false);
     const bool other = !stated.is_object() || !stated.contains("owner") || stated["owner"] != header.owner;
-    refuse(file_, (other ? "the shard belongs to another sweep, another case or another build of the program"
+    refuse(file_, (other ? "the shard belongs to another sweep, case, --max-iterations or build of the program"
                          : "the shard is another part than its folder says") +
                       again);
   }

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <variant>
 
 #include "contact/hertz.hpp"
+#include "contact/observables.hpp"
 #include "contact/quantities.hpp"
 #include "contact/text.hpp"
 #include "workflow/plausibility.hpp"
@@ -15,6 +17,8 @@
 namespace ehd {
 
 namespace {
+
+constexpr std::array pressure_peaks{Quantity::pressure_maximum, Quantity::pressure_spike};
 
 /// The fields of the dry contact, for a profile, over twice the contact's width.
 Fields dry_fields() {
@@ -44,28 +48,42 @@ void run_dry(const ContactCase& contact, ContactRun& run) {
                       .reduced_radius_m = conditions.reduced_radius_m};
   run.solution.fields = dry_fields();
   run.solution.observables = dry_observables(wanted_by(run.plan));
+  run.peaks = dry_observables({Quantity::pressure_maximum});
   run.solution.record.status = StopReason::converged;
+}
+
+/// Keeps the peaks of the pressure beside the wanted quantities, and no note on what nobody wanted.
+void sort_observables(const Wanted& wanted, ContactRun& run) {
+  Observables& observed = run.solution.observables;
+  if (run.status() == StopReason::diverged) observed.clear();
+  for (const Quantity peak : pressure_peaks) {
+    if (wanted.contains(peak)) continue;
+    if (const auto at = observed.find(peak); at != observed.end()) run.peaks.insert(*at);
+    std::erase_if(run.solution.record.notes,
+                  [&](const std::string& note) { return note.starts_with(to_string(peak)); });
+  }
+  keep_wanted(observed, wanted);
 }
 
 void run_lubricated(const ContactCase& contact, const RegisteredSolver& solver, const Request& request,
                     ContactRun& run) {
   Nondimensional reading = nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet);
   Problem& problem = reading.problem;
-  problem.wanted = wanted_by(run.plan);
+  const Wanted wanted = wanted_by(run.plan);
+  problem.wanted = wanted;
+  problem.wanted.insert(pressure_peaks.begin(), pressure_peaks.end());
   run.groups = problem.groups;
   run.scales = reading.scales;
   run.oil = contact.oil;
   run.notes = contact.oil ? notes_of(*contact.oil, reading.notes) : reading.notes;
   run.solver = solver.name;
-  run.solution = solver.solve(problem, request_for(request, problem.wanted));
-  // A solver may observe more than the plan wants, for its own use. Only wanted quantities are reported.
-  std::erase_if(run.solution.observables, [&](const auto& entry) { return !problem.wanted.count(entry.first); });
-  if (run.status() == StopReason::diverged) run.solution.observables.clear();
+  run.solution = solver.solve(problem, request_for(request, wanted));
+  sort_observables(wanted, run);
   const auto& notes = run.solution.record.notes;
   run.notes.insert(run.notes.end(), notes.begin(), notes.end());
   if (run.plan.runs(stage::formulas)) {
     run.formulas = film_formulas({.M = problem.groups.M, .L = problem.groups.L}, run.known_G().value_or(usual_G));
-    std::erase_if(run.formulas, [&](const FilmFormula& formula) { return !problem.wanted.count(formula.of); });
+    std::erase_if(run.formulas, [&](const FilmFormula& formula) { return !wanted.contains(formula.of); });
   }
 }
 
@@ -114,22 +132,6 @@ void name_near_cut(const ContactCase& contact, SolveRecord& record) {
       plain(cut->x, digits), plain(nearest_cut));
 }
 
-/// For a caller who chose quantities: a pressure without a spike says so, and a result whose chosen pressure is not
-/// known well enough has not met what was asked.
-void name_unknown_pressures(const Wanted& wanted, ContactRun& run) {
-  if (wanted == want_everything() || run.status() != StopReason::converged) return;
-  for (const Quantity quantity : wanted) {
-    if (!is_pressure_peak(quantity) || run.solution.observables.contains(quantity)) continue;
-    const std::string name(to_string(quantity));
-    if (quantity == Quantity::pressure_spike && !vague_spike(run.solution)) {
-      run.notes.push_back(name + ": this pressure has no spike");
-    } else {
-      run.solution.record.status = StopReason::tolerance_not_met;
-      run.solution.record.reason = name + " is not known well enough";
-    }
-  }
-}
-
 }  // namespace
 
 ContactRun run_contact(const ContactCase& contact, const RegisteredSolver& solver, const Request& request,
@@ -139,7 +141,6 @@ ContactRun run_contact(const ContactCase& contact, const RegisteredSolver& solve
   if (run.plan.runs(stage::solve)) {
     run_lubricated(contact, solver, request, run);
     name_near_cut(contact, run.solution.record);
-    name_unknown_pressures(wanted, run);
   } else {
     run_dry(contact, run);
   }
@@ -153,6 +154,25 @@ ContactRun run_contact(const Case& contact_case, const RegisteredSolver& solver,
   run.case_id = contact_case.id;
   run.version = contact_case.version;
   return run;
+}
+
+void require_chosen(const Wanted& chosen, ContactRun& run) {
+  if (run.status() != StopReason::converged) return;
+  for (const Quantity quantity : chosen) {
+    if (run.solution.observables.contains(quantity)) continue;
+    const std::string name(to_string(quantity));
+    if (!run.groups) {
+      run.notes.push_back(name + " does not exist in a dry contact");
+    } else if (quantity == Quantity::pressure_spike && pressure_known(run) && !vague_spike(run)) {
+      run.notes.push_back(
+          fmt::format("{}: the pressure has no peak behind its maximum on {} intervals (more intervals "
+                      "may show a low one)",
+                      name, run.solution.record.cost.nodes));
+    } else if (is_pressure_peak(quantity)) {
+      run.solution.record.status = StopReason::tolerance_not_met;
+      run.solution.record.reason = name + " is not known well enough";
+    }
+  }
 }
 
 namespace {

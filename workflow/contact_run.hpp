@@ -24,6 +24,9 @@ struct ContactRun {
   std::optional<Groups> groups = {};  ///< absent for a dry contact
   std::optional<Scales> scales = {};  ///< absent where the statement fixes no pressure in Pa
   Solution solution = {};
+  /// pressure.maximum and pressure.spike where their heights are known and nobody wanted them: up to them a profile or a
+  /// figure may show the pressure (shown_pressure.hpp).
+  Observables peaks = {};
   std::vector<FilmFormula> formulas = {};
   std::vector<std::string> notes = {};
   std::optional<GradedOil> oil = {};  ///< where the case states its grade
@@ -40,8 +43,7 @@ struct ContactRun {
 };
 
 /// Plans and runs one contact; quantities outside `wanted` are neither computed nor returned, and only tolerances that
-/// serve a wanted quantity hold (request_for in contact_plan.hpp). status() says how the solver ended; it is
-/// tolerance_not_met where `wanted` is a choice, and one of its pressures is not known well enough. Throws
+/// serve a wanted quantity hold (request_for in contact_plan.hpp). status() says how the solver ended. Throws
 /// StatementError where the statement makes no problem (a case from read_case always makes one).
 [[nodiscard]] ContactRun run_contact(const ContactCase& contact, const RegisteredSolver& solver, const Request& request,
                                      const Wanted& wanted = want_everything());
@@ -49,6 +51,10 @@ struct ContactRun {
 /// The same for a case with a contact in it, with its id and version.
 [[nodiscard]] ContactRun run_contact(const Case& contact_case, const RegisteredSolver& solver, const Request& request,
                                      const Wanted& wanted = want_everything());
+
+/// For a user who chose quantities: a note names each that the contact does not have, and a converged run in which a
+/// chosen pressure is not known well enough ends as tolerance_not_met.
+void require_chosen(const Wanted& chosen, ContactRun& run);
 
 /// One observed number in the scaling of an expectation, for comparing the two.
 struct Measured {

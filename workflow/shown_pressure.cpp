@@ -5,18 +5,26 @@
 
 namespace ehd {
 
-bool pressure_known(const Solution& solution) { return solution.observables.contains(Quantity::pressure_maximum); }
+namespace {
 
-std::optional<double> pressure_cut(const Solution& solution) {
-  const Array& P = solution.fields.P;
-  if (P.size() == 0 || pressure_known(solution)) return std::nullopt;
+bool known(const ContactRun& run, Quantity peak) {
+  return run.solution.observables.contains(peak) || run.peaks.contains(peak);
+}
+
+}  // namespace
+
+bool pressure_known(const ContactRun& run) { return known(run, Quantity::pressure_maximum); }
+
+std::optional<double> pressure_cut(const ContactRun& run) {
+  const Array& P = run.solution.fields.P;
+  if (P.size() == 0 || pressure_known(run)) return std::nullopt;
   // A pressure that is not finite is not known either.
   return P.maxCoeff() <= shown_of_unresolved ? std::nullopt : std::optional(shown_of_unresolved);
 }
 
-std::optional<Reading> vague_spike(const Solution& solution) {
-  if (solution.observables.contains(Quantity::pressure_spike)) return std::nullopt;
-  const auto spike = observed::pressure_spike(solution.fields);
+std::optional<Reading> vague_spike(const ContactRun& run) {
+  if (known(run, Quantity::pressure_spike)) return std::nullopt;
+  const auto spike = observed::pressure_spike(run.solution.fields);
   return spike && spike->place ? spike : std::nullopt;
 }
 

@@ -326,13 +326,37 @@ BOOST_AUTO_TEST_CASE(a_chosen_pressure_has_a_number_or_the_solve_says_why_not) {
   const auto solved = [&](const std::string& arguments) { return test::ehd_run(folder, "solve " + arguments); };
   const test::Ended without = solved("--M 5 --L 2 --quantity pressure.spike");
   BOOST_TEST(without.exit_code == 0);
-  BOOST_TEST(without.out.find("pressure.spike: this pressure has no spike") != std::string::npos, without.out);
+  BOOST_TEST(without.out.find("pressure.spike: the pressure has no peak behind its maximum on") != std::string::npos,
+             without.out);
   const std::string sharp = "--M 200 --L 15 --tolerance 1e-2";
   const test::Ended unknown = solved(sharp + " --quantity pressure.spike");
   BOOST_TEST(unknown.exit_code == 1);
   BOOST_TEST(unknown.out.find("tolerance-not-met") != std::string::npos, unknown.out);
   BOOST_TEST(unknown.out.find("pressure.spike is not known well enough") != std::string::npos, unknown.out);
   BOOST_TEST(solved(sharp).exit_code == 0);  // nobody chose the spike
+  // At (2, 14) the spike is the maximum itself.
+  BOOST_TEST(solved("--M 2 --L 14 --tolerance 1e-4 --quantity pressure.spike").exit_code == 1);
+  const test::Ended dry = solved("dry-steel --quantity film.minimum");
+  BOOST_TEST(dry.exit_code == 0);
+  BOOST_TEST(dry.out.find("film.minimum does not exist in a dry contact") != std::string::npos, dry.out);
+}
+
+BOOST_AUTO_TEST_CASE(a_profile_shows_a_known_pressure_whatever_was_chosen) {
+  const test::Folder folder;
+  const std::string csv = (folder.path() / "p.csv").string(), json = (folder.path() / "p.json").string();
+  const std::string files = " --profile " + csv + " --json " + json;
+  const auto profile = [&](const std::string& chosen) {
+    BOOST_TEST(test::ehd_run(folder, "solve --M 5 --L 7 --tolerance 1e-5" + files + chosen).exit_code == 0, chosen);
+    return test::read(csv);
+  };
+  const std::string whole = profile("");
+  BOOST_TEST(whole.find("P_unresolved") == std::string::npos);
+  for (const char* chosen : {" --quantity film.minimum --quantity film.central", " --quantity pressure.spike"}) {
+    BOOST_TEST((profile(chosen).substr(0, whole.find('\n')) == whole.substr(0, whole.find('\n'))), chosen);
+    BOOST_TEST(nlohmann::json::parse(test::read(json))["fields"]["pressure_resolved"].get<bool>(), chosen);
+  }
+  BOOST_TEST(test::ehd_run(folder, "solve dry-steel --quantity approach" + files).exit_code == 0);
+  BOOST_TEST(test::read(csv).find("P_unresolved") == std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(the_stiffness_of_a_fitted_law_in_motion_is_as_wrong_as_it_is_far_from_ehd) {
