@@ -346,13 +346,11 @@ BOOST_AUTO_TEST_CASE(a_profile_shows_a_known_pressure_whatever_was_chosen) {
   const std::string csv = (folder.path() / "p.csv").string(), json = (folder.path() / "p.json").string();
   const std::string files = " --profile " + csv + " --json " + json;
   const auto profile = [&](const std::string& chosen) {
-    BOOST_TEST(test::ehd_run(folder, "solve --M 5 --L 7 --tolerance 1e-5" + files + chosen).exit_code == 0, chosen);
+    BOOST_TEST(test::ehd_run(folder, "solve --M 5 --L 7 --tolerance 1e-6" + files + chosen).exit_code == 0, chosen);
     return test::read(csv);
   };
-  const std::string whole = profile("");
-  BOOST_TEST(whole.find("P_unresolved") == std::string::npos);
-  for (const char* chosen : {" --quantity film.minimum --quantity film.central", " --quantity pressure.spike"}) {
-    BOOST_TEST((profile(chosen).substr(0, whole.find('\n')) == whole.substr(0, whole.find('\n'))), chosen);
+  for (const char* chosen : {"", " --quantity film.minimum --quantity film.central", " --quantity pressure.spike"}) {
+    BOOST_TEST((profile(chosen).find("P_unresolved") == std::string::npos), chosen);
     BOOST_TEST(nlohmann::json::parse(test::read(json))["fields"]["pressure_resolved"].get<bool>(), chosen);
   }
   BOOST_TEST(test::ehd_run(folder, "solve dry-steel --quantity approach" + files).exit_code == 0);
