@@ -196,8 +196,7 @@ Json to_json(const ContactRun& run) {
   if (run.oil) json["lubricant"] = to_json(*run.oil);
   json["groups"] = groups_json(run.groups, run.scales);
   put_observables(json, run);
-  if (run.status() != StopReason::diverged && run.solution.fields.X.size() > 0)
-    json["fields"] = fields_json(run);
+  if (run.status() != StopReason::diverged && run.solution.fields.X.size() > 0) json["fields"] = fields_json(run);
   json["cost"] = cost_json(run.solution.record.cost);
   json["plan"] = to_json(run.plan);
   json["notes"] = run.notes;

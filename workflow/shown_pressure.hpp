@@ -20,7 +20,8 @@ inline constexpr double shown_of_unresolved = 1.5;
 /// shown as it is.
 [[nodiscard]] std::optional<double> pressure_cut(const ContactRun& run);
 
-/// The top of the spike that the fields have, where pressure.spike is not known, wanted or not. Empty where it is known, and where there is no spike.
+/// The top of the spike that the fields have, where pressure.spike is not known, wanted or not. Empty where it is
+/// known, and where there is no spike.
 [[nodiscard]] std::optional<Reading> vague_spike(const ContactRun& run);
 
 }  // namespace ehd
