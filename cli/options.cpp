@@ -27,7 +27,7 @@ void RequestOptions::add_to(Command& command, bool with_accuracy) {
   if (with_accuracy) {
     command
         .text("--tolerance", tolerance,
-              "relative error allowed in the minimum and central film, of those that the chosen quantities need (1e-3)")
+              "relative error allowed in the minimum and central film (1e-3); with --quantity, in those that it needs")
         .called("T");
     command.text("--tolerance-minimum", tolerance_minimum, "instead, of the minimum film").called("T");
     command.text("--tolerance-central", tolerance_central, "instead, of the central film; one or both").called("T");
@@ -67,11 +67,9 @@ void RequestOptions::require_wanted(const Wanted& wanted) const {
     if (!text || serves(film, wanted)) return;
     std::string names;
     for (const Quantity quantity : wanted) names.append(names.empty() ? "" : ", ").append(to_string(quantity));
-    throw option_error(
-        option, *text,
-        fmt::format("is of a film that the chosen {} {} not need; required is to leave it out, or to add "
-                    "--quantity {}",
-                    names, wanted.size() == 1 ? "does" : "do", to_string(film)));
+    throw option_error(option, *text,
+                       fmt::format("is of a film that the chosen {} {} not need; leave it out, or add --quantity {}",
+                                   names, wanted.size() == 1 ? "does" : "do", to_string(film)));
   };
   require("--tolerance-minimum", tolerance_minimum, Quantity::film_minimum);
   require("--tolerance-central", tolerance_central, Quantity::film_central);

@@ -52,7 +52,7 @@ void run_dry(const ContactCase& contact, ContactRun& run) {
   run.solution.record.status = StopReason::converged;
 }
 
-/// Keeps the peaks of the pressure beside the wanted quantities, and no note on what nobody wanted.
+/// Drops what nobody wanted. Peaks of the pressure go to run.peaks instead, and their notes are dropped.
 void sort_observables(const Wanted& wanted, ContactRun& run) {
   Observables& observed = run.solution.observables;
   if (run.status() == StopReason::diverged) observed.clear();

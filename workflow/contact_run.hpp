@@ -24,8 +24,8 @@ struct ContactRun {
   std::optional<Groups> groups = {};  ///< absent for a dry contact
   std::optional<Scales> scales = {};  ///< absent where the statement fixes no pressure in Pa
   Solution solution = {};
-  /// pressure.maximum and pressure.spike where their heights are known and nobody wanted them: up to them a profile or
-  /// a figure may show the pressure (shown_pressure.hpp).
+  /// pressure.maximum and pressure.spike, where their heights are known and nobody wanted them. A profile or a figure
+  /// asks whether they are known (shown_pressure.hpp).
   Observables peaks = {};
   std::vector<FilmFormula> formulas = {};
   std::vector<std::string> notes = {};

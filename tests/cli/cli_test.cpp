@@ -288,8 +288,8 @@ BOOST_AUTO_TEST_CASE(a_wrong_command_line_is_refused) {
       {"solve own-moes-5-5 --tolerance-minimum 1e-3 --nodes 64", "--tolerance-minimum and --nodes exclude each other"},
       {"solve own-moes-5-5 --tolerance-central 0", "--tolerance-central"},
       {"solve own-moes-5-5 --quantity film.minimum --tolerance-central 1e-6",
-       "--tolerance-central = 1e-6: is of a film that the chosen film.minimum does not need; required is to "
-       "leave it out, or to add --quantity film.central"},
+       "--tolerance-central = 1e-6: is of a film that the chosen film.minimum does not need; leave it "
+       "out, or add --quantity film.central"},
       {"plan own-moes-5-5 --quantity film.couette --tolerance-minimum 1e-6 --tolerance-central 1e-6",
        "--tolerance-minimum = 1e-6: is of a film that the chosen film.couette does not need"},
   };

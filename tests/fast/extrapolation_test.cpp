@@ -230,6 +230,14 @@ BOOST_AUTO_TEST_CASE(a_share_of_the_regular_last_move_of_the_central_film_is_sta
     EHD_CHECK(error(fast::central_film_error(f, f, MapFit::settled, L), share * move), Tolerance::round_off(64, 1000));
 }
 
+BOOST_AUTO_TEST_CASE(the_central_film_states_the_whole_move_of_S_where_its_moves_are_irregular) {
+  const std::vector<double> f{0.2, 0.21, 0.207, 0.2065};
+  const auto R = [&](std::size_t k) { return (4 * f[k] - f[k - 1]) / 3; };
+  const double S_move = std::abs(8 * (R(3) - R(2)) - (R(2) - R(1))) / 7 / f[3];
+  for (const double L : {5.0, 12.0, 20.0})
+    EHD_CHECK(error(fast::central_film_error(f, f, MapFit::settled, L), S_move), Tolerance::round_off(64, 100));
+}
+
 BOOST_AUTO_TEST_CASE(from_three_grids_on_second_and_third_order_errors_are_gone) {
   int rows = 0;
   for (std::size_t grids = 3; grids <= 8; ++grids) {

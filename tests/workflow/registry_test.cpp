@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/interruption.hpp"
 #include "contact/nondimensional.hpp"
 #include "tests/check.hpp"
 #include "workflow/batch.hpp"
@@ -49,6 +50,18 @@ BOOST_AUTO_TEST_CASE(every_solver_is_found_by_its_own_name) {
   }
   BOOST_TEST(names.size() == solvers().size());
   for (const char* name : {"reference", "reference.uniform", "fast", "fast.uniform"}) BOOST_CHECK(find_solver(name));
+}
+
+// A sweep tries a row again only where its reason names the time. A dense solver ends before its limit where the next
+// grid, eight times as long, would not fit.
+BOOST_AUTO_TEST_CASE(a_solve_that_time_ended_says_so_even_where_it_gave_up_before_its_limit) {
+  for (const char* solver : {"reference.linear", "reference.uniform"})
+    for (const double limit_s : {0.1, 0.3, 0.9}) {
+      const Solution solution =
+          find_solver(solver)->solve(other_contact(), {.tolerance = 1e-9, .time_limit_s = limit_s});
+      BOOST_TEST((solution.record.status == StopReason::limit_reached));
+      BOOST_TEST(solution.record.reason.find(time_limit_reason) != std::string::npos, solution.record.reason);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(the_traits_tell_the_solvers_apart) {

@@ -54,7 +54,7 @@ constexpr double above_the_line = 4, declared_order = 2;
 
 bool has_bars(const GridRow& row) { return row.error[0] && row.error[1] && row.stated[0] && row.stated[1]; }
 
-/// The verdict of judged_error(); absent where it is undecided. What is not a finite number is inconclusive.
+/// The verdict on a stated error by judged_error(). Absent: undecided. Inconclusive: one of the numbers is not finite.
 std::optional<Verdict> judge_bar(double error, double stated, double truth_error) {
   if (!std::isfinite(error) || !std::isfinite(stated) || !std::isfinite(truth_error)) return Verdict::inconclusive;
   switch (judged_error({error, stated, truth_error})) {
