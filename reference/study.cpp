@@ -291,9 +291,9 @@ namespace {
 
 std::string inlet_zone_is_narrow() { return "the inlet zone is narrower than " + plain(fewest_inlet_cells) + " cells"; }
 
-/// Why a study has no film; `cells` are those of its finest grid in the inlet zone of the expected film.
-Solution no_grid_solved(const Study& study, double cells, const std::string& finest, bool out_of_time) {
-  if (out_of_time) return study.without_film(StopReason::limit_reached, "no grid was solved within the limits");
+/// Why a study has no film, though no limit ended it; `cells` are those of its finest grid in the inlet zone of the
+/// expected film.
+Solution no_grid_solved(const Study& study, double cells, const std::string& finest) {
   if (cells < fewest_inlet_cells)
     return study.without_film(StopReason::under_resolved,
                               inlet_zone_is_narrow() + " and no positive film solves the equations of " + finest);
@@ -331,13 +331,14 @@ Solution solve_grids(Study& study, const std::function<Grid(int)>& grid_of, cons
   }
 
   const std::string finest = std::to_string(sizes.back()) + " intervals";
+  const std::string limit = (no_time ? time_limit_reason : "iterations or time ended") + (" before " + finest);
+  if (levels.empty() && out_of_time) return study.without_film(StopReason::limit_reached, limit);
   if (levels.empty())
-    return no_grid_solved(study, inlet_cells(grid_of(sizes.back()).nodes(1), study.expected_film()), finest,
-                          out_of_time);
+    return no_grid_solved(study, inlet_cells(grid_of(sizes.back()).nodes(1), study.expected_film()), finest);
   if (out_of_time) {
     solution.record.cost = study.cost(solution.record.cost.nodes);  // with the cost of the grid that was given up
     solution.record.status = StopReason::limit_reached;
-    solution.record.reason = (no_time ? time_limit_reason : "iterations or time ended") + (" before " + finest);
+    solution.record.reason = limit;
   } else if (asked.any()) {
     solution.record.status = StopReason::tolerance_not_met;
     solution.record.reason = "the estimated errors of the films exceed the tolerance on " + finest;
