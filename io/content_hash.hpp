@@ -6,6 +6,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +17,8 @@ inline constexpr std::size_t content_hash_digits = 32;
 
 /// XXH3, 128 bits (xxHash), as lower-case hexadecimal digits in the canonical order, high half first.
 [[nodiscard]] std::string content_hash(std::string_view bytes);
+/// The same, of what is left of a stream, which may be longer than the memory: it is read piece by piece.
+[[nodiscard]] std::string content_hash(std::istream& bytes);
 
 /// The digits of a content_hash as a number, for where millions are held: 16 bytes instead of 80.
 struct HashNumber {

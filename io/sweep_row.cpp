@@ -6,7 +6,6 @@
 #include <fstream>
 #include <new>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "io/bearing_json.hpp"
 #include "io/contact_json.hpp"
@@ -31,9 +30,8 @@ std::string program_identity() {
   std::string identity =
       json.contains("commit") ? json["commit"].get<std::string>() : json["version"].get<std::string>();
   if (json.contains("commit") && !json["dirty"].get<bool>()) return identity;
-  std::ostringstream bytes;
-  bytes << std::ifstream("/proc/self/exe", std::ios::binary).rdbuf();
-  return identity + " " + content_hash(bytes.str());
+  std::ifstream program("/proc/self/exe", std::ios::binary);
+  return identity + " " + content_hash(program);
 }
 
 /// Times out of a result, at any depth.
