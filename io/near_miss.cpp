@@ -24,16 +24,17 @@ constexpr std::size_t shortest_word = 2;      // between "_", the only one of a 
 constexpr std::size_t shortest_start = 3;     // of a word: dia for diameter
 constexpr std::size_t longest_compared = 60;  // no name is longer; a longer word would cost time for nothing
 
-/// Characters to insert, remove or replace until one text is the other.
+/// Characters to insert, remove or replace, and neighbours to swap, until one text is the other.
 std::size_t distance(const std::string& from, const std::string& to) {
-  std::vector<std::size_t> row(to.size() + 1);
+  std::vector<std::size_t> two_before, before(to.size() + 1), row(to.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
+    two_before = std::exchange(before, row);
+    row[0] = i + 1;
     for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
+      row[j + 1] = std::min({row[j] + 1, before[j + 1] + 1, before[j] + (from[i] == to[j] ? 0 : 1)});
+      if (i > 0 && j > 0 && from[i] == to[j - 1] && from[i - 1] == to[j])
+        row[j + 1] = std::min(row[j + 1], two_before[j - 1] + 1);
     }
   }
   return row.back();

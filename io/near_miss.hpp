@@ -12,7 +12,8 @@ namespace ehd {
 [[nodiscard]] std::string in_small_letters(std::string text);
 
 /// The first of these that exists, else empty. Capital letters count as small ones.
-/// - The nearest name where at most two characters differ, and fewer than half of the word's. Where one character
+/// - The nearest name where at most two characters differ (two swapped neighbours count as one), and fewer than half of
+///   the word's. Where one character
 ///   differs, the longer of word and name counts: "lw" is law. A name that begins with the word goes before one where
 ///   two differ.
 /// - The shortest name that begins with the word.

@@ -41,6 +41,13 @@ BOOST_AUTO_TEST_CASE(a_short_word_counts_where_one_name_alone_has_it) {
   BOOST_TEST(ehd::near_miss("lw", {"la", "l", "w"}) == "");
 }
 
+BOOST_AUTO_TEST_CASE(two_swapped_letters_are_one_difference) {
+  BOOST_TEST(ehd::near_miss("fats", {"reference", "fast"}) == "fast");
+  BOOST_TEST(ehd::near_miss("afst", {"reference", "fast"}) == "fast");
+  BOOST_TEST(ehd::near_miss("heigth_m", {"height_m", "weight_m"}) == "height_m");
+  BOOST_TEST(ehd::near_miss("tsaf", {"reference", "fast"}) == "");
+}
+
 BOOST_AUTO_TEST_CASE(capital_letters_are_small_ones) {
   const std::vector<std::string> names{"lambda", "M", "L", "W", "U_mean"};
   BOOST_TEST(ehd::near_miss("l", names) == "L");
