@@ -62,7 +62,7 @@ Case read_case(std::string text, const std::filesystem::path& file, const std::v
 }
 
 Case read_case_in_memory(std::string text) {
-  const std::string checked = checked_case_text(std::move(text), nameless_case);
+  const std::string checked = checked_case_text(std::move(text), nameless_case, TomlFile::case_in_memory);
   constexpr std::size_t longest_name = 60;  // in the message
   if (checked.find_first_of("=\n") == std::string::npos)
     throw CaseError(fmt::format("{} = {}: is a name; allowed is the text of a case file (TOML)", nameless_case,

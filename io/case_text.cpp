@@ -21,9 +21,10 @@ constexpr std::size_t longest_line = 2000;
 constexpr std::size_t longest_quote = 60;  // of a line in a message
 
 FileKind kind_of(TomlFile what) {
-  return {
-      .name = what == TomlFile::of_case ? "a case file (TOML), or the id of a benchmark case" : "a sweep file (TOML)",
-      .most_bytes = largest_file};
+  const char* name = "a case file (TOML), or the id of a benchmark case";
+  if (what == TomlFile::of_sweep) name = "a sweep file (TOML)";
+  if (what == TomlFile::case_in_memory) name = "the text of a case file (TOML)";
+  return {.name = name, .most_bytes = largest_file};
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, int line, const std::string& what) {

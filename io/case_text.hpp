@@ -10,7 +10,7 @@
 namespace ehd {
 
 /// What a TOML file is for, in messages.
-enum class TomlFile { of_case, of_sweep };
+enum class TomlFile { of_case, of_sweep, case_in_memory };
 
 /// The file's text without a byte order mark. Throws CaseError for a file that is missing, a directory or device,
 /// unreadable, larger than 64 KiB, empty, binary (control characters) or not UTF-8. Refuses also: non-ASCII characters

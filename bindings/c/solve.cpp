@@ -151,9 +151,12 @@ int word_of(StopReason reason) {
   return EHD_DIVERGED;
 }
 
-/// Solves all, and returns how many converged.
-std::size_t solve_films(const FilmArrays& to, const std::vector<Problem>& problems, double tolerance,
-                        unsigned threads) {
+struct FilmsDone {
+  std::size_t converged = 0;
+  bool cancelled = false;
+};
+
+FilmsDone solve_films(const FilmArrays& to, const std::vector<Problem>& problems, double tolerance, unsigned threads) {
   Progress progress;
   std::atomic<std::size_t> done = 0, converged = 0;
   in_threads(problems.size(), threads, [&](std::size_t i) {
@@ -169,7 +172,7 @@ std::size_t solve_films(const FilmArrays& to, const std::vector<Problem>& proble
     if (to.status[i] == EHD_CONVERGED) ++converged;
     progress.reached(static_cast<double>(++done) / static_cast<double>(problems.size()));
   });
-  return converged;
+  return {.converged = converged, .cancelled = progress.cancelled()};
 }
 
 }  // namespace
@@ -186,10 +189,12 @@ int ehd_films(size_t n, const double* M, const double* L, const char* lubricant_
     if (threads < 0 || threads > most_threads)
       throw BadArgument(
           fmt::format("threads = {}: is out of range; allowed is 0 (one a core) to {}", threads, most_threads));
-    const std::size_t converged =
+    const FilmsDone done =
         solve_films(arrays, problems_of(arrays, lubricant_toml), tolerance, static_cast<unsigned>(threads));
-    if (converged == n) return EHD_OK;
-    set_last_error(fmt::format("ehd: {} of {} contacts did not converge; their status says how", n - converged, n));
+    if (done.converged == n) return EHD_OK;
+    set_last_error(fmt::format("ehd: {}{} of {} contacts did not converge; their status says how",
+                               done.cancelled ? fmt::format("{}; ", ehd::interrupted_reason) : "", n - done.converged,
+                               n));
     return EHD_NOT_MET;
   });
 }

@@ -148,7 +148,8 @@ BOOST_AUTO_TEST_CASE(bad_case_text_names_its_line) {
   bad.replace(bad.find("M = 20"), 6, "M = -2");
   check_refused(solve(bad), ": M = -2");
   BOOST_TEST(std::string(ehd_last_error()).starts_with("own-moes-20-10.toml:"));
-  check_refused(solve(""), "case: is empty");
+  check_refused(solve(""), "case: is empty; allowed is the text of a case file (TOML)");
+  BOOST_TEST(std::string(ehd_last_error()).find("id of a benchmark case") == std::string::npos);
   check_refused(solve("own-moes-20-10"), "case = own-moes-20-10: is a name; allowed is the text of a case file");
   check_refused(bearing("/etc/na4908.toml", "hertz"), "is a name; allowed is the text of a case file");
   check_refused(solve("\x01"), "control character");
@@ -186,7 +187,8 @@ BOOST_AUTO_TEST_CASE(a_bad_lubricant_names_its_line) {
 
 BOOST_AUTO_TEST_CASE(the_last_error_is_there_until_the_next_one) {
   const char* const line = ehd_last_error();
-  check_refused(solve(""), "case: is empty");
+  check_refused(solve(""), "case: is empty; allowed is the text of a case file (TOML)");
+  BOOST_TEST(std::string(ehd_last_error()).find("id of a benchmark case") == std::string::npos);
   BOOST_TEST(solve_moes(20, 10).code == EHD_OK);
   BOOST_TEST(std::string(line).starts_with("case: is empty"));
   check_refused(solve_moes(-20, 10), "M = -20");

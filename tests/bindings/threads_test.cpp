@@ -175,6 +175,7 @@ BOOST_AUTO_TEST_CASE(the_callback_cancels_films_and_bearings) {
     const WithProgress scope(calls);
     FilmBatch films(3000);
     BOOST_TEST(films.solve(2) == EHD_NOT_MET);
+    BOOST_TEST(std::string(ehd_last_error()).starts_with("ehd: cancelled by the caller; "));
     BOOST_TEST(calls.last > 0);
     BOOST_TEST(films.status.back() == EHD_LIMIT_REACHED);
     int kept = 0, wrong = 0;

@@ -22,11 +22,12 @@ class Handle:
     """A result of the library, or the place for one; freed with this object. Several threads may read it at once."""
 
     def __init__(self) -> None:
-        self.address = ctypes.c_void_p()
         self._free = library().ehd_free  # there to the end, also while Python shuts down
+        self.address = ctypes.c_void_p()
 
     def __del__(self) -> None:
-        self._free(self.address)
+        if hasattr(self, "address"):  # not where the library could not be loaded
+            self._free(self.address)
 
     def json(self) -> dict[str, Any]:
         data: dict[str, Any] = json.loads(library().ehd_json(self.address))
