@@ -28,7 +28,7 @@ namespace {
 struct ResponseOptions {
   std::string case_name, solver = default_solver().name;
   std::vector<std::string> omegas, frequencies, wavelengths;
-  std::optional<std::string> tolerance, slip, datum, json;
+  std::optional<std::string> tolerance, slip, datum, json, csv;
   RequestOptions request;
   CaseChanges changes;
 };
@@ -39,6 +39,7 @@ Examples:
   ehd response own-moes-20-10 --solver reference      the same, certified
   ehd response own-moes-20-10 --omega 1 --omega 10    at Omega = omega b/u_m, u_m the mean speed
   ehd response steel-roller --frequency 100           at 100 Hz, where the case states a speed
+  ehd response own-moes-20-10 --omega 1 --omega 2 --csv kappa.csv   kappa over Omega, for a plot
   ehd response own-moes-20-10 --wavelength 0.5 --slip 1   what is left of a waviness, wavelength in b
 
 kappa = -W_1/H_01 in Hertz units: the load's change over that of the bodies' distance. A negative imaginary part is a
@@ -98,8 +99,12 @@ int respond(const ResponseOptions& options) {
   const Case one = options.changes.read(options.case_name);
   if (!std::holds_alternative<ContactCase>(one.body))
     throw case_error(one, "bearing", "is no contact; allowed is a contact case");
-  require_distinct({{"the case", one.file}}, {{"--json", options.json.value_or("")}});
+  if (options.csv && question.request.frequencies.empty() && question.frequencies_Hz.empty())
+    throw option_error("--csv", *options.csv, "has no frequency to list; allowed with --omega or --frequency");
+  require_distinct({{"the case", one.file}},
+                   {{"--json", options.json.value_or("")}, {"--csv", options.csv.value_or("")}});
   JsonTarget json(options.json);
+  std::optional<OutputFile> csv = opened(options.csv);
   const std::string title = one.id + ": " + one.title;
   ResponseRun run;
   {
@@ -117,7 +122,8 @@ int respond(const ResponseOptions& options) {
   }
   Json result = to_json(run);
   options.changes.put_into(result);
-  json.commit(result);
+  if (csv) csv->append(response_csv(run));
+  json.commit(result, {address_of(csv)});
   if (!json.to_standard_output()) print(human_table(run, title));
   if (run.response.status == StopReason::converged) return success;
   complain(fmt::format("ehd: {}: {}: {}", title, to_string(run.response.status), run.response.reason));
@@ -147,6 +153,8 @@ void describe_response(Command& command) {
   command.text("--slip", options->slip, "speed of the waviness over u_m, 0 to 2 (1, pure rolling)");
   command.text("--x0-m", options->datum, "datum of the approach, for stiffness in SI (the half width b)");
   command.text("--json", options->json, "the result as JSON into a file, or - for standard output");
+  command.text("--csv", options->csv, "kappa over the frequencies as CSV, with stiffness and damping in SI")
+      .called("FILE");
   command.runs([options] { return respond(*options); });
 }
 

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 #include <variant>
 
 #include "io/csv.hpp"
@@ -17,7 +19,9 @@ constexpr const char* roller_columns =
     "inner_hertz_pressure_Pa,outer_force_N,outer_displacement_m,outer_film_minimum_m,outer_hertz_pressure_Pa,"
     "roller,inner_lambda_ratio,outer_lambda_ratio,file";
 constexpr const char* motion_columns =
-    ",frequency_Hz,inner_stiffness_N_per_m,inner_damping_N_s_per_m,outer_stiffness_N_per_m,outer_damping_N_s_per_m";
+    ",frequency_Hz,inner_stiffness_N_per_m,inner_damping_N_s_per_m,outer_stiffness_N_per_m,outer_damping_N_s_per_m,"
+    "ring_stiffness_xx_N_per_m,ring_stiffness_yy_N_per_m,ring_stiffness_xy_N_per_m,ring_damping_xx_N_s_per_m,"
+    "ring_damping_yy_N_s_per_m,ring_damping_xy_N_s_per_m";
 
 std::string comma_number(const std::optional<double>& value) {
   constexpr int all_digits = 17;
@@ -44,6 +48,12 @@ std::string motion_cells(const BearingResult& result, std::size_t k, std::size_t
   for (const bearing::ContactMotion* at : {&row.rollers[j].inner, &row.rollers[j].outer})
     cells += comma_number(stiffness ? std::optional(at->stiffness_N_per_m) : std::nullopt) +
              comma_number(damping ? at->damping_N_s_per_m : std::nullopt);
+  const auto add_ring = [&](const std::optional<bearing::Matrix2>& matrix) {
+    for (const auto& [r, s] : {std::pair{0U, 0U}, {1U, 1U}, {0U, 1U}})
+      cells += comma_number(matrix ? std::optional((*matrix)[r][s]) : std::nullopt);
+  };
+  add_ring(stiffness ? std::optional(row.ring.stiffness_N_per_m) : std::nullopt);
+  add_ring(damping ? row.ring.damping_N_s_per_m : std::nullopt);
   return cells;
 }
 
@@ -51,7 +61,7 @@ std::string csv_rows(const Case& one, const BearingResult& result, bool moving) 
   std::string rows;
   for (std::size_t j = 0; j < result.rollers.size(); ++j) {
     const std::string roller = roller_cells(one, result, j);
-    if (result.dynamics.empty()) rows += roller + (moving ? ",,,,,\n" : "\n");
+    if (result.dynamics.empty()) rows += roller + (moving ? ",,,,,,,,,,,\n" : "\n");
     for (std::size_t k = 0; k < result.dynamics.size(); ++k) rows += roller + motion_cells(result, k, j) + "\n";
   }
   return rows;

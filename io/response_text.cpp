@@ -11,6 +11,7 @@
 
 #include "contact/text.hpp"
 #include "io/contact_json.hpp"
+#include "io/csv.hpp"
 #include "io/result_head.hpp"
 #include "io/tables.hpp"
 
@@ -35,7 +36,7 @@ Json stiffness_json(const ResponseRun& run, const Stiffness& at) {
   json["status"] = to_string(at.status);
   if (at.status == StopReason::diverged || !std::isfinite(at.error)) return json;
   put(json["kappa"], "real", at.kappa.real());
-  put(json["kappa"], "imag", at.kappa.imag());
+  put(json["kappa"], "imag", at.kappa.imag() + 0.0);  // of -0.0 too it is 0.0
   put(json["kappa"], "error", at.error);
   if (at.Omega > 0) {
     const Kappa kappa = in_series(at, 0);
@@ -104,6 +105,31 @@ Json to_json(const ResponseRun& run) {
   return json;
 }
 
+std::string response_csv(const ResponseRun& run) {
+  std::string text =
+      "omega,frequency_Hz,kappa_real,kappa_imag,kappa_error,stiffness_N_per_m2,stiffness_error_N_per_m2,"
+      "damping_N_s_per_m2,damping_error_N_s_per_m2,status\n";
+  constexpr int all_digits = 17;
+  for (const Stiffness& at : run.response.frequencies) {
+    const bool known = at.status != StopReason::diverged && std::isfinite(at.error);
+    const auto si = run.dynamic_stiffness(at);
+    std::vector<std::string> cells;
+    const auto add = [&](const std::optional<double>& value) { cells.push_back(csv_number(value, all_digits)); };
+    add(at.Omega);
+    add(run.frequency_Hz(at.Omega));
+    for (const double part : {at.kappa.real(), at.kappa.imag() + 0.0, at.error})
+      add(known ? std::optional(part) : std::nullopt);
+    add(si ? std::optional(si->stiffness_N_per_m2) : std::nullopt);
+    add(si ? std::optional(si->stiffness_error) : std::nullopt);
+    const bool damped = si && std::isfinite(si->damping_error);
+    add(damped ? std::optional(si->damping_N_s_per_m2) : std::nullopt);
+    add(damped ? std::optional(si->damping_error) : std::nullopt);
+    cells.emplace_back(to_string(at.status));
+    text += csv_line(cells);
+  }
+  return text;
+}
+
 namespace {
 
 std::string at_rest_text(const ResponseRun& run) {
@@ -125,7 +151,7 @@ std::vector<std::string> stiffness_row(const ResponseRun& run, const Stiffness& 
     const Kappa kappa = at.Omega > 0 ? in_series(at, 0) : Kappa{};
     const double size = at.error * std::abs(at.kappa);
     row.push_back(with_absolute_error(at.kappa.real(), size));
-    row.push_back(with_absolute_error(at.kappa.imag(), at.Omega > 0 ? at.Omega * kappa.damping_error : size));
+    row.push_back(with_absolute_error(at.kappa.imag() + 0.0, at.Omega > 0 ? at.Omega * kappa.damping_error : size));
     row.push_back(plain(at.error, 2));
   } else {
     row.insert(row.end(), 3, "-");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The response of a contact as JSON, which `ehd response --json` writes, and as tables for a terminal.
+// The response of a contact as JSON, which `ehd response --json` writes, its frequencies as CSV, and tables for a
+// terminal.
 #pragma once
 
 #include <string>
@@ -11,6 +12,9 @@ namespace ehd {
 
 /// Numbers are finite; what is unknown, not asked for or not in SI is absent.
 [[nodiscard]] Json to_json(const ResponseRun& run);
+/// A header, and a line for each frequency: kappa with the relative error of the complex number; stiffness and damping
+/// per length in SI, where the case is in SI, with absolute errors. What is not known is empty.
+[[nodiscard]] std::string response_csv(const ResponseRun& run);
 [[nodiscard]] std::string human_table(const ResponseRun& run, const std::string& title);
 
 }  // namespace ehd

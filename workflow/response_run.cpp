@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "workflow/response_run.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <variant>
 
 #include "contact/hertz.hpp"
+#include "contact/text.hpp"
 
 namespace ehd {
 
@@ -75,6 +78,11 @@ ResponseRun run_response(const Case& contact_case, const ResponseQuestion& quest
   run.notes = reading.notes;
   if (contact.oil) run.notes = notes_of(*contact.oil, run.notes);
   run.notes.insert(run.notes.end(), run.response.notes.begin(), run.response.notes.end());
+  if (run.datum_m && *run.datum_m < run.scales->half_width_m)
+    run.notes.push_back(fmt::format(
+        "x_0 = {} m lies inside the contact, whose half width is {} m: with this datum stiffness and damping in SI may "
+        "be negative, and say nothing about the film",
+        plain(*run.datum_m), plain(run.scales->half_width_m, 3)));
   return run;
 }
 

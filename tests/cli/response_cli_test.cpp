@@ -1,15 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd response: its JSON, its SI, and what it refuses.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <complex>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "tests/check.hpp"
 #include "tests/files.hpp"
 #include "tests/process.hpp"
 
 namespace {
+
+/// The rows of a CSV without quoted cells, by the names of the columns.
+std::vector<std::map<std::string, std::string>> csv_rows(const std::string& text) {
+  const auto cells_of = [](const std::string& line) {
+    std::vector<std::string> cells;
+    std::istringstream parts(line + ",");
+    for (std::string cell; std::getline(parts, cell, ',');) cells.push_back(cell);
+    return cells;
+  };
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  const std::vector<std::string> names = cells_of(line);
+  std::vector<std::map<std::string, std::string>> rows;
+  while (std::getline(lines, line)) {
+    const std::vector<std::string> cells = cells_of(line);
+    BOOST_REQUIRE(cells.size() == names.size());
+    for (std::size_t k = 0; k < cells.size(); ++k) (k == 0 ? rows.emplace_back() : rows.back())[names[k]] = cells[k];
+  }
+  return rows;
+}
 
 using namespace ehd;
 using namespace ehd::verification;
@@ -87,6 +112,65 @@ BOOST_AUTO_TEST_CASE(a_contact_in_SI_has_hertz_and_a_datum_in_series) {
   BOOST_TEST(at["stiffness_error"] > 0.0);
   BOOST_TEST(at["damping_error"] > 0.0);
   EHD_CHECK(at["damping_error"].get<double>(), Tolerance::required(1e-4, "a lag to 1e-4 where kappa is known to 1e-6"));
+}
+
+// Such a datum makes the stiffness in series negative, which is no property of the contact.
+BOOST_AUTO_TEST_CASE(a_datum_inside_the_contact_is_noted_and_a_datum_outside_is_not) {
+  const test::Folder folder;
+  const std::string command = "response " + contact_in_SI(folder) + " --x0-m ";
+  const std::string words = "lies inside the contact";
+  const auto inside = test::ehd_run(folder, command + "1e-7"), outside = test::ehd_run(folder, command + "0.02");
+  BOOST_TEST(inside.exit_code == 0);
+  BOOST_TEST(inside.out.find(words) != std::string::npos);
+  BOOST_TEST(outside.out.find(words) == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_csv_has_the_numbers_of_the_json_and_leaves_out_what_is_not_known) {
+  const test::Folder folder;
+  const std::string command = "response " + contact_in_SI(folder) + " --omega 0 --frequency 3000 --omega 1e9";
+  const std::string csv = (folder.path() / "a.csv").string();
+  const auto ended = test::ehd_run(folder, command + " --json - --csv " + csv);
+  BOOST_TEST(ended.exit_code == 1);  // nobody resolves the last one
+  const json rows = json::parse(ended.out)["response"];
+  const auto lines = csv_rows(test::read(csv));
+  BOOST_REQUIRE(lines.size() == 3u);
+  BOOST_REQUIRE(rows.size() == 3u);
+  int empty = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const auto same = [&](const char* column, const json& object, const std::string& key) {
+      const std::string& cell = lines[k].at(column);
+      BOOST_TEST(cell.empty() != object.contains(key), column);
+      if (cell.empty())
+        ++empty;
+      else
+        BOOST_TEST(std::stod(cell) == object[key].get<double>(), column);
+    };
+    const json kappa = rows[k].value("kappa", json::object());
+    same("omega", rows[k], "omega");
+    same("frequency_Hz", rows[k], "frequency_Hz");
+    same("kappa_real", kappa, "real");
+    same("kappa_imag", kappa, "imag");
+    same("kappa_error", kappa, "error");
+    same("stiffness_N_per_m2", rows[k], "stiffness_N_per_m2");
+    same("damping_N_s_per_m2", rows[k], "damping_N_s_per_m2");
+    BOOST_TEST(lines[k].at("status") == rows[k]["status"].get<std::string>());
+  }
+  BOOST_TEST(empty == 5);
+  const auto waves = test::ehd_run(folder, "response own-moes-5-5 --wavelength 2 --csv " + csv);
+  BOOST_TEST(waves.exit_code == 2);
+  BOOST_TEST(waves.err.find("--csv") != std::string::npos);
+}
+
+// An imaginary part that is zero has no sign.
+BOOST_AUTO_TEST_CASE(zero_has_no_sign) {
+  const test::Folder folder;
+  for (const char* solver : {"fast", "reference"}) {
+    const auto ended =
+        test::ehd_run(folder, fmt::format("response own-moes-5-5 --solver {} --tolerance 1e-4 --json -", solver));
+    BOOST_REQUIRE(ended.exit_code == 0);
+    BOOST_TEST(ended.out.find("\"imag\": 0.0") != std::string::npos, solver);
+    BOOST_TEST(ended.out.find("-0.0,") == std::string::npos, solver);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(the_damping_at_rest_is_in_SI_with_its_error) {

@@ -23,6 +23,8 @@ BearingResult two_rollers(bearing::Law law, const std::vector<double>& frequenci
     for (const double stiffness : {1e9, 2e9})
       row.rollers.push_back({.inner = {.stiffness_N_per_m = stiffness, .damping_N_s_per_m = frequency_Hz + 7},
                              .outer = {.stiffness_N_per_m = 3 * stiffness}});
+    row.ring.stiffness_N_per_m = {{{5, 6}, {6, 7}}};
+    if (frequency_Hz > 0) row.ring.damping_N_s_per_m = {{{8, 9}, {9, 10}}};
     result.dynamics.push_back(std::move(row));
   }
   return result;
@@ -43,10 +45,13 @@ BOOST_AUTO_TEST_CASE(a_bearing_in_motion_has_a_row_a_roller_and_frequency_with_s
   BOOST_REQUIRE(rows.size() == 1u + 2 + 4);
   BOOST_TEST(
       rows[0].ends_with(",file,frequency_Hz,inner_stiffness_N_per_m,inner_damping_N_s_per_m,"
-                        "outer_stiffness_N_per_m,outer_damping_N_s_per_m"));
-  BOOST_TEST(rows[1].ends_with(",needle.toml,,,,,"));
-  BOOST_TEST(rows[4].ends_with(",1,,,needle.toml,100,1000000000,107,3000000000,"), rows[4]);
-  BOOST_TEST(rows[6].ends_with(",2,,,needle.toml,100,2000000000,107,6000000000,"), rows[6]);
+                        "outer_stiffness_N_per_m,outer_damping_N_s_per_m,ring_stiffness_xx_N_per_m,"
+                        "ring_stiffness_yy_N_per_m,ring_stiffness_xy_N_per_m,ring_damping_xx_N_s_per_m,"
+                        "ring_damping_yy_N_s_per_m,ring_damping_xy_N_s_per_m"));
+  BOOST_TEST(rows[1].ends_with(",needle.toml,,,,,,,,,,,"));
+  BOOST_TEST(rows[3].ends_with(",1,,,needle.toml,0,1000000000,7,3000000000,,5,7,6,,,"), rows[3]);
+  BOOST_TEST(rows[4].ends_with(",1,,,needle.toml,100,1000000000,107,3000000000,,5,7,6,8,10,9"), rows[4]);
+  BOOST_TEST(rows[6].ends_with(",2,,,needle.toml,100,2000000000,107,6000000000,,5,7,6,8,10,9"), rows[6]);
   const auto cells = [](const std::string& row) { return std::count(row.begin(), row.end(), ','); };
   for (const std::string& row : rows) BOOST_TEST(cells(row) == cells(rows[0]));
 }
