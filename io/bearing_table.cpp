@@ -46,10 +46,18 @@ std::vector<std::pair<std::size_t, std::string>> shown_rollers(const std::vector
   return shown;
 }
 
-/// At least three digits, and at least so many decimals.
-std::string three_digits(double value, int decimals) {
+/// Decimals for at least three digits, and at least so many.
+int three_digits(double value, int decimals) {
   const int of_three = value > 0 ? 2 - static_cast<int>(std::floor(std::log10(value))) : 0;
-  return fixed(value, std::max(decimals, of_three));
+  return std::max(decimals, of_three);
+}
+
+/// So many decimals, but no digit behind the first one of the absolute error: 8800 of 8756 with an error of 420.
+std::string cut_at_error(double value, double error, int decimals) {
+  const int place = error > 0 ? -static_cast<int>(std::floor(std::log10(error))) : decimals;
+  if (place >= 0) return fixed(value, std::min(decimals, place));
+  const double unit = std::pow(10, -place);
+  return fixed(unit * std::round(value / unit), 0);
 }
 
 std::string name_of(const BearingResult& result) { return std::string(to_string(result.law)); }
@@ -83,36 +91,45 @@ bool unstated(const BearingResult& result, const ErrorsOfLaws& errors) {
   return needs_film(result.law) && !errors_of(result, errors);
 }
 
-/// Of forces: none where the largest one is not known to half a newton.
-int decimals_of_force(const BearingResult& result, const ErrorsOfLaws& errors) {
+/// A force of a roller, in the digits that its error leaves.
+std::string force_text(const BearingResult& result, const ErrorsOfLaws& errors, double force_N) {
   constexpr double three_digits_from_N = 100;
-  if (unstated(result, errors)) return largest_force_N(result) >= three_digits_from_N ? 0 : 1;
-  const BearingErrors* known = errors_of(result, errors);
-  return known && known->largest_force_N > 0.5 ? 0 : 1;
+  const bool whole = unstated(result, errors) && largest_force_N(result) >= three_digits_from_N;
+  const BearingErrors* const known = errors_of(result, errors);
+  return cut_at_error(force_N, known ? known->any_force_N : 0, whole ? 0 : 1);
 }
 
 /// The columns of one law. Where a roller carries next to nothing, its pressure is rounding and its film is the gap
-/// that the ring leaves.
+/// that the ring leaves. p_H grows with the root of the force; a film varies at most as its reciprocal, which a rigid
+/// contact's does.
 std::vector<RollerColumn> columns_of(const BearingResult& result, const ErrorsOfLaws& errors) {
   const double largest = largest_force_N(result);
-  const int decimals = decimals_of_force(result, errors);
   const bool three = unstated(result, errors);
+  const BearingErrors* const known = errors_of(result, errors);
+  const double error_N = known ? known->any_force_N : 0, film_error = known ? known->smallest_film.value_or(0) : 0;
   const auto if_loaded = [largest, three](const ContactRow& inner, const std::optional<double>& value, double unit,
-                                          int least_decimals) -> std::string {
-    return value && bearing::is_loaded(inner.force_N, largest) ? three_digits(unit * *value, three ? 0 : least_decimals)
-                                                               : "-";
+                                          int least_decimals, double error) -> std::string {
+    if (!value || !bearing::is_loaded(inner.force_N, largest) || !(error < 1)) return "-";
+    const double shown = unit * *value;
+    return cut_at_error(shown, error * shown, three_digits(shown, three ? 0 : least_decimals));
   };
+  const auto of_force = [error_N](const ContactRow& inner) { return error_N / inner.force_N; };
+  const auto of_film = [=](const ContactRow& inner) { return film_error + of_force(inner); };
   std::vector<RollerColumn> columns{
-      {"f_i", "N", [=](const ContactRow& inner) { return fixed(inner.force_N, decimals); }},
-      {"p_H", "MPa", [=](const ContactRow& inner) { return if_loaded(inner, inner.hertz_pressure_Pa, 1e-6, 0); }}};
+      {"f_i", "N", [&result, &errors](const ContactRow& inner) { return force_text(result, errors, inner.force_N); }},
+      {"p_H", "MPa", [=](const ContactRow& inner) {
+         return if_loaded(inner, inner.hertz_pressure_Pa, 1e-6, 0, of_force(inner) / 2);
+       }}};
   if (!needs_film(result.law)) return columns;
-  columns.push_back(
-      {"h_i", "um", [=](const ContactRow& inner) { return if_loaded(inner, inner.film_minimum_m, 1e6, 3); }});
+  columns.push_back({"h_i", "um", [=](const ContactRow& inner) {
+                       return if_loaded(inner, inner.film_minimum_m, 1e6, 3, of_film(inner));
+                     }});
   const bool rough = std::any_of(result.rollers.begin(), result.rollers.end(),
                                  [](const RollerRow& roller) { return roller.inner.lambda_ratio.has_value(); });
   if (rough)
-    columns.push_back(
-        {"lambda", "", [=](const ContactRow& inner) { return if_loaded(inner, inner.lambda_ratio, 1, 2); }});
+    columns.push_back({"lambda", "", [=](const ContactRow& inner) {
+                         return if_loaded(inner, inner.lambda_ratio, 1, 2, of_film(inner));
+                       }});
   return columns;
 }
 
@@ -269,7 +286,7 @@ std::string contacts_in_motion(const BearingResult& result, const ErrorsOfLaws& 
   Rows rows{{"psi deg", "f_i N", "inner: N/um", "N s/m", "outer: N/um", "N s/m"}};
   for (const auto& [j, azimuth] : shown_rollers(result.rollers)) {
     const bearing::RollerMotion& roller = at.rollers[j];
-    std::vector<std::string> row{azimuth, fixed(result.rollers[j].inner.force_N, decimals_of_force(result, errors))};
+    std::vector<std::string> row{azimuth, force_text(result, errors, result.rollers[j].inner.force_N)};
     for (const bearing::ContactMotion* contact : {&roller.inner, &roller.outer}) {
       const auto add = [&row](bool known, double value, double error) {
         row.push_back(known && std::isfinite(error) ? known_digits(value, error) : "-");
