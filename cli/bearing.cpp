@@ -118,7 +118,7 @@ std::string statements_of(const Computed& computed, ContactMemory& memory, beari
         "\nThe same for other data (dry/{} at psi = 0)\n{}", to_string(law),
         human_data(compare_data(computed.cases, law, memory, form), scan_datum(computed.cases, law, memory, form)));
   }
-  return text;
+  return wrapped_lines(text);
 }
 
 /// The cases that were named. Throws UsageError, CaseError.

@@ -103,18 +103,18 @@ std::string listed_sources(const std::vector<Case>& cases, const Bibliography& b
   std::set<std::string> keys;
   for (const auto& any : cases) keys.insert(bibliography_key(any.source));
   std::string text = "\nsources (cite the source of a case and this program; --bibtex prints the entries)\n";
-  std::vector<std::vector<std::string>> sources;
+  const auto line = [](const std::string& key, const std::string& citation) {
+    return wrapped(fmt::format("  {}: {}", key, citation), "      ");
+  };
   for (const auto& key : keys) {
     const auto entry = bibliography.find(key);
-    sources.push_back({key, entry == bibliography.end() ? "not in references.bib" : entry->second.citation()});
+    text += line(key, entry == bibliography.end() ? "not in references.bib" : entry->second.citation());
   }
-  text += aligned(sources, 2, "  ");
-  sources.clear();
+  std::string others;
   for (const auto& [key, entry] : bibliography)
-    if (with_others && !keys.contains(key)) sources.push_back({key, entry.citation()});
-  if (!sources.empty())
-    text += "\nsources of exact solutions, formulas and tables that are no case (docs/literature.md)\n" +
-            aligned(sources, 2, "  ");
+    if (with_others && !keys.contains(key)) others += line(key, entry.citation());
+  if (!others.empty())
+    text += "\nsources of exact solutions, formulas and tables that are no case (docs/literature.md)\n" + others;
   return text;
 }
 

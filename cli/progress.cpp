@@ -35,7 +35,8 @@ std::string step_line(std::size_t done, std::size_t all, const std::string& what
 
 std::string step_line_until(std::size_t done, std::size_t all, const std::string& what, std::optional<double> ends_s,
                             double passed_s) {
-  std::string line = fmt::format("{}/{}, {}", done, all, duration(passed_s));
+  constexpr double least_shown_s = 0.1;
+  std::string line = fmt::format("{}/{}, {}", done, all, duration(passed_s < least_shown_s ? 0 : passed_s));
   if (ends_s && passed_s < *ends_s) line += fmt::format(", about {} left", duration(*ends_s - passed_s));
   return line + ": " + what;
 }

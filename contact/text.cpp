@@ -80,7 +80,9 @@ std::string fixed(double value, int decimals) { return fmt::format("{:.{}f}", va
 std::string signed_fixed(double value, int decimals) { return fmt::format("{:+.{}f}", value, decimals); }
 std::string scientific(double value, int decimals) { return fmt::format("{:.{}e}", value, decimals); }
 
-std::string percent(double share, int digits) { return plain(100 * share, digits) + " %"; }
+std::string percent(double share, int digits) {
+  return plain(std::stod(plain(100 * share, digits))) + " %";  // 790 %, not 7.9e2 %
+}
 std::string micrometre(double metre, int digits) { return plain(1e6 * metre, digits) + " um"; }
 std::string millimetre(double metre, int digits) { return plain(1e3 * metre, digits) + " mm"; }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <sstream>
 
 #include "contact/text.hpp"
 #include "io/duration.hpp"
@@ -246,6 +247,14 @@ std::string wrapped(const std::string& line, const std::string& indent) {
     left = indent + left.substr(space + 1);
   }
   return text + left + "\n";
+}
+
+std::string wrapped_lines(const std::string& text) {
+  std::string all;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    all += wrapped(line, std::string(std::min(line.find_first_not_of(' '), line.size()), ' '));
+  return all;
 }
 
 std::string human_plan(const Plan& plan) {

@@ -27,5 +27,7 @@ inline constexpr std::size_t widest_table = 100;
 
 /// A line of words, wrapped to the width of a table; what follows its first line stands behind `indent`.
 [[nodiscard]] std::string wrapped(const std::string& line, const std::string& indent);
+/// Each line of a text, wrapped; it goes on below its own indentation.
+[[nodiscard]] std::string wrapped_lines(const std::string& text);
 
 }  // namespace ehd

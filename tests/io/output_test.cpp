@@ -429,4 +429,12 @@ BOOST_AUTO_TEST_CASE(a_full_device_is_an_error) {
   BOOST_CHECK_THROW(OutputFile("/dev/full", Replaces::file), OutputError);
 }
 
+BOOST_AUTO_TEST_CASE(large_shares_are_written_without_an_exponent) {
+  BOOST_TEST(percent(7.8943, 2) == "790 %");
+  BOOST_TEST(percent(0.0789, 2) == "7.9 %");
+  BOOST_TEST(percent(0.5) == "50 %");
+  BOOST_TEST(percent(1.2345678) == "123.457 %");
+  BOOST_TEST(percent(0) == "0 %");
+}
+
 BOOST_AUTO_TEST_SUITE_END()
