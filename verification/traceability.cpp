@@ -59,7 +59,7 @@ const std::vector<TraceablePart>& traceable_parts() {
        "two solvers side by side, each with its own code from the kernel weights up",
        {"kernel/two-codes", "twins/*", "box/*/agreement"}},
       {"readme/reference-digits",
-       "reference: films to ten digits and more (Roelands), to seven (Barus)",
+       "reference: films of mild contacts to ten digits and more (Roelands), to seven (Barus)",
        {"*/certified/film.*", "*/reference/film.*/certified"}},
       {"readme/fast-error-bars",
        "the errors that `fast` states cover the true ones",

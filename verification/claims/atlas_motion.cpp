@@ -25,7 +25,7 @@ constexpr std::pair<const char*, bool> motion_sample[] = {
     {"atlas-isoviscous-m0.5-l0-flooded", false}, {"atlas-roelands-m0.7-l25-flooded", false},
     {"atlas-roelands-m2-l5-flooded", false},     {"atlas-roelands-m20-l10-flooded", false},
     {"atlas-roelands-m100-l5-flooded", true},    {"atlas-barus-m5-l5-flooded", false},
-    {"atlas-barus-m50-l10-flooded", true}};
+    {"atlas-barus-m1-l15-flooded", false},       {"atlas-barus-m50-l10-flooded", true}};
 
 /// Difference of a number from the row's, over the sum of both stated errors; NaN where one of the two is not known.
 double apart(const AtlasRow& row, const std::string& column, const std::map<std::string, AtlasReading>& found,

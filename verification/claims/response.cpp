@@ -83,19 +83,21 @@ Findings judge_sign(const Box& box) {
   return found;
 }
 
-/// Where the film begins to be elastic, at large L, the damping of slow motion is negative.
-Findings judge_driven_slowly() {
+/// Where the film begins to be elastic, at large L, the damping of slow motion is negative. `with`: the end of the
+/// claims' ids.
+Findings judge_driven_slowly(MoesGroups moes, const Lubricant& oil, const std::string& with) {
   Findings found;
   for (const auto& [name, tolerance] : {std::pair{"reference", 1e-6}, std::pair{"fast", 1e-4}}) {
-    const Response response = find_solver(name)->respond(response_problem({0.7, 25}, Flooded{}),
+    const Response response = find_solver(name)->respond(response_problem(moes, Flooded{}, oil),
                                                          {.frequencies = {0.3, 1}, .tolerance = tolerance});
     const bool known = response.status == StopReason::converged;
     const auto most = [&](double value, double error) { return known ? value + error : nothing; };
     const Stiffness& at = response.frequencies.front();
     const double slow = most(response.slow->kappa_1, std::abs(response.slow->kappa_1) * response.slow->error_1),
                  moving = most(at.kappa.imag(), at.error * std::abs(at.kappa));
-    Sentence says = response_says("slow/driven/" + std::string(name), 6,
-                                  "slow motion is driven, not damped, at M = 0.7, L = 25: " + std::string(name));
+    Sentence says = response_says(fmt::format("slow/driven/{}{}", name, with), 6,
+                                  fmt::format("slow motion is driven, not damped, at M = {}, L = {}, {}: {}",
+                                              plain(moes.M), plain(moes.L), to_string(oil.viscosity), name));
     says.solver = name;
     found.claims.push_back(
         claim_fact(says, slow < 0 && moving < 0, "kappa_1 < 0, and Im kappa < 0 at Omega = 0.3",
@@ -304,7 +306,12 @@ std::vector<Topic> response_topics() {
              return judge_sign({.M = {1, 5, 20, 100, 500}, .L = {4, 8, 12}, .roelands = {true}, .flooded = {true}});
            },
        .expected_s = 20});
-  topics.push_back({.name = "response driven", .rungs = {6}, .judge = judge_driven_slowly});
+  topics.push_back({.name = "response driven", .rungs = {6}, .judge = [] {
+                      return judge_driven_slowly({0.7, 25}, response_oil, "");
+                    }});
+  topics.push_back({.name = "response driven, Barus", .rungs = {6}, .judge = [] {
+                      return judge_driven_slowly({1, 15}, Lubricant{}, "-barus");
+                    }});
   topics.push_back({.name = "response rigid", .rungs = {9}, .judge = judge_rigid_response});
   topics.push_back({.name = "response dry", .rungs = {9}, .judge = judge_dry});
   topics.push_back({.name = "response punch", .rungs = {9}, .judge = judge_punch, .expected_s = 2});

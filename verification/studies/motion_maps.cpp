@@ -98,7 +98,7 @@ std::string driven_maps(const MotionMaps& maps) {
   for (const AtlasLaws laws : all_atlas_laws) {
     const auto all_M = all_of(maps.kappa, laws, "M"), all_L = all_of(maps.kappa, laws, "L");
     const auto driven = [&](double M, double L) -> std::string {
-      if (!kappa_at(maps, laws, {M, L}, 0)) return "";
+      if (!kappa_at(maps, laws, {M, L}, *asked.rbegin())) return "";
       std::string cell;
       for (const double Omega : driven_frequencies(maps, laws, {M, L}))
         cell += (cell.empty() ? "" : ",") + plain(Omega);
