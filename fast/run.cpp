@@ -52,13 +52,14 @@ Run begin_run(const Problem& problem, const Request& request, Workspace& workspa
   const std::chrono::duration<double> allowed(std::min(request.time_limit_s, longest_time_s));
   const Lengths lengths = expected_lengths(problem.groups);
   const auto* const cut = std::get_if<TruncatedAt>(&problem.inlet);
+  // Setting is named: g++ 12 destroys what stands in braces without a type twice if a later member throws.
   Run run{.problem = problem,
-          .setting = {.groups = problem.groups,
-                      .viscosity = problem.viscosity,
-                      .density = problem.density,
-                      .inlet = cut ? cut->x : -far.reach * lengths.scale,
-                      .with_tail = !cut,
-                      .sources = problem.sources},
+          .setting = Setting{.groups = problem.groups,
+                             .viscosity = problem.viscosity,
+                             .density = problem.density,
+                             .inlet = cut ? cut->x : -far.reach * lengths.scale,
+                             .with_tail = !cut,
+                             .sources = problem.sources},
           .workspace = workspace,
           .limits = {.newton_iterations = request.max_iterations,
                      .deadline = begin + std::chrono::duration_cast<Clock::duration>(allowed)},

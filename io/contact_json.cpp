@@ -38,7 +38,7 @@ bool has_place(const QuantityRow& row) {
 }
 
 Json budget_json(const ErrorBudget& budget) {
-  Json json;
+  Json json = Json::object();
   put(json, "discretisation", budget.discretisation);
   put(json, "iteration", budget.iteration);
   put(json, "truncation", budget.truncation);
@@ -116,7 +116,7 @@ Json cost_json(const Cost& cost) {
 /// What is known of the fields themselves, which --profile writes. Films above may be extrapolated; they are then
 /// better known.
 Json fields_json(const ContactRun& run) {
-  Json json;
+  Json json = Json::object();
   put(json, "film_error", field_error(run.solution));
   put(json, "pressure_error", pressure_error(run.solution));
   json["pressure_resolved"] = pressure_known(run);
@@ -170,7 +170,7 @@ Json to_json(const GradedOil& oil) {
 
 Json to_json(const Lubricant& lubricant) {
   const LawKeys keys = row_of(lubricant.viscosity).keys;
-  Json json;
+  Json json = Json::object();
   json["viscosity"] = to_string(lubricant.viscosity);
   json["density"] = to_string(lubricant.density);
   put(json, "alpha_per_Pa", lubricant.alpha_per_Pa);

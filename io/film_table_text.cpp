@@ -29,7 +29,7 @@ Json inlet_json(const Inlet& inlet) {
 Json errors_json(const FilmTable& table) {
   Json films = Json::object();
   for (std::size_t k = 0; k < table_film_count; ++k) {
-    Json film;
+    Json film = Json::object();
     film["shift"] = table_shift(table_films[k]);
     film["stated_error"] = table.errors[k].stated;
     film["found_error"] = table.errors[k].found;
@@ -40,7 +40,7 @@ Json errors_json(const FilmTable& table) {
 }
 
 Json panel_json(const FilmPanel& panel) {
-  Json json;
+  Json json = Json::object();
   json["M"] = {panel.M_low, panel.M_high};
   json["degrees"] = {{"M", panel.degree_M}, {"L", panel.degree_L}};
   const std::size_t row = static_cast<std::size_t>(panel.degree_L) + 1;
@@ -67,7 +67,7 @@ std::string oil_words(const FilmTable& table) {
 }  // namespace
 
 Json to_json(const FilmTable& table) {
-  Json json;
+  Json json = Json::object();
   json["schema"] = film_table_schema;
   json["provenance"] = provenance();
   json["case"] = table.case_id;

@@ -60,8 +60,18 @@ Json object_of(std::size_t members) {
   return object;
 }
 
+namespace {
+
+/// A null that the library makes an object on its way crashes in its destructor if there is no memory for the object.
+Json& as_object(Json& object) {
+  if (object.is_null()) object = Json::object();
+  return object;
+}
+
+}  // namespace
+
 void put(Json& object, const std::string& key, double value) {
-  if (std::isfinite(value)) object[key] = value;
+  if (std::isfinite(value)) as_object(object)[key] = value;
 }
 
 void put(Json& object, const std::string& key, const std::optional<double>& value) {
@@ -70,7 +80,7 @@ void put(Json& object, const std::string& key, const std::optional<double>& valu
 
 void put(Json& object, const std::string& key, std::initializer_list<double> values) {
   if (std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
-    object[key] = std::vector<double>(values);
+    as_object(object)[key] = std::vector<double>(values);
 }
 
 Json json_from(std::string_view text) {

@@ -105,7 +105,7 @@ std::string law_export_csv(const LawExport& law) {
 
 Json to_json(const LawExport& law) {
   const bearing::TableErrors& found = law.table.errors;
-  Json json;
+  Json json = Json::object();
   json["schema"] = law_schema;
   json["provenance"] = provenance();
   json["case"] = law.case_id;

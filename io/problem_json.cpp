@@ -24,7 +24,7 @@ Json law_json(const Law& law) {
 
 Json groups_json(const Nondimensional& stated) {
   const Groups& groups = stated.problem.groups;
-  Json json;
+  Json json = Json::object();
   put(json, "M", groups.M);
   put(json, "L", groups.L);
   put(json, "lambda", groups.lambda);
@@ -37,7 +37,7 @@ Json groups_json(const Nondimensional& stated) {
 }
 
 Json conditions_json(const Conditions& conditions) {
-  Json json;
+  Json json = Json::object();
   put(json, "load_N_per_m", conditions.load_N_per_m);
   put(json, "reduced_radius_m", conditions.reduced_radius_m);
   put(json, "reduced_modulus_Pa", conditions.reduced_modulus_Pa);

@@ -52,7 +52,7 @@ std::string compiler() {
 }  // namespace
 
 Json provenance() {
-  Json json;
+  Json json = Json::object();
   json["version"] = EHD_PROJECT_VERSION;
   // The commit when the program was built, not the present state of the tree.
   if (const std::string commit = EHD_COMMIT; !commit.empty()) {

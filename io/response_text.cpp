@@ -30,7 +30,7 @@ void put_SI(Json& json, const std::optional<DynamicStiffness>& si) {
 }
 
 Json stiffness_json(const ResponseRun& run, const Stiffness& at) {
-  Json json;
+  Json json = Json::object();
   json["omega"] = at.Omega;
   put(json, "frequency_Hz", run.frequency_Hz(at.Omega));
   json["status"] = to_string(at.status);
@@ -48,7 +48,7 @@ Json stiffness_json(const ResponseRun& run, const Stiffness& at) {
 }
 
 Json waviness_json(const WavinessResponse& at) {
-  Json json;
+  Json json = Json::object();
   json["wavelength"] = at.waviness.wavelength;
   json["slip"] = at.waviness.slip;
   json["status"] = to_string(at.status);
@@ -61,7 +61,7 @@ Json waviness_json(const WavinessResponse& at) {
 
 Json slow_json(const ResponseRun& run) {
   const SlowStiffness& slow = *run.response.slow;
-  Json json;
+  Json json = Json::object();
   put(json["kappa_0"], "value", slow.kappa_0);
   put(json["kappa_0"], "error", slow.error_0);
   put(json["kappa_1"], "value", slow.kappa_1);
@@ -71,7 +71,7 @@ Json slow_json(const ResponseRun& run) {
 }
 
 Json cost_json(const Cost& cost) {
-  Json json;
+  Json json = Json::object();
   put(json, "wall_s", cost.wall_s);
   put(json, "planning_s", cost.planning_s);
   put(json, "total_s", cost.wall_s + cost.planning_s);

@@ -17,8 +17,9 @@ Json result_head(std::string_view schema) {
   static const Json program = provenance();  // it reads the machine too: once is enough
   Json head = object_of(most_members);
   head["schema"] = schema;
+  Json& short_provenance = head["provenance"] = Json::object();
   for (const char* key : {"version", "commit"})
-    if (program.contains(key)) head["provenance"][key] = program[key];
+    if (program.contains(key)) short_provenance[key] = program[key];
   return head;
 }
 
