@@ -1,14 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One allocation of the program finds no memory, each in turn. A limit on memory (memory.py) meets only a few."""
 
-import atexit
-import functools
-import pathlib
-import shutil
-import subprocess
-import tempfile
-
-from room import Skipped
+from room import Skipped, preloaded
 
 TITLE = "one allocation without memory, each in turn"
 SWEEP = 'case = "own-moes-20-10"\ncombine = "product"\n[keys]\n"moes.M" = [10.0, 20.0]\n'
@@ -25,23 +18,12 @@ COMMANDS = {
 }
 
 
-@functools.cache
-def preloaded():
-    """allocations.cpp as a library for LD_PRELOAD."""
-    folder = tempfile.mkdtemp(prefix="ehd-allocations-")
-    atexit.register(shutil.rmtree, folder)
-    library = pathlib.Path(folder, "allocations.so")
-    source = pathlib.Path(__file__).with_name("allocations.cpp")
-    subprocess.run(["c++", "-shared", "-fPIC", "-O1", "-o", library, source, "-ldl"], check=True)
-    return library
-
-
 def run(room, arguments, **variables):
     for name in room.files():
         if (room.path / name).is_file():
             (room.path / name).unlink()
     room.write("s.toml", SWEEP)
-    return room.run(*arguments, environment={"LD_PRELOAD": str(preloaded()), **variables})
+    return room.run(*arguments, environment={"LD_PRELOAD": preloaded("allocations.cpp"), **variables})
 
 
 def allocations_of(room, arguments):

@@ -1,17 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Output files: modes, links, full devices, closed streams, several files of one command."""
 
-import atexit
-import functools
 import json
 import os
-import pathlib
 import resource
-import shutil
 import subprocess
-import tempfile
 
-from room import Skipped
+from room import Skipped, preloaded
 
 TITLE = "output files: modes, links, together or not at all"
 SOLVE = ["solve", "--M", "20", "--L", "10"]
@@ -49,21 +44,10 @@ def keeps_link_to_nothing(room):
     return None if made.exists() and "converged" in made.read_text() else "the file behind the links is not made"
 
 
-@functools.cache
-def watcher():
-    """calls.c as a library for LD_PRELOAD."""
-    folder = tempfile.mkdtemp(prefix="ehd-calls-")
-    atexit.register(shutil.rmtree, folder)
-    library = pathlib.Path(folder, "calls.so")
-    source = pathlib.Path(__file__).with_name("calls.c")
-    subprocess.run(["cc", "-shared", "-fPIC", "-o", library, source, "-ldl"], check=True)
-    return library
-
-
 def calls(room, *arguments):
     """What the program opened to write, synced and renamed, in order: (what, path in the room)."""
     log = room.path / "calls"
-    ended = room.run(*arguments, environment={"LD_PRELOAD": str(watcher()), "EHD_CALLS": str(log)})
+    ended = room.run(*arguments, environment={"LD_PRELOAD": preloaded("calls.c"), "EHD_CALLS": str(log)})
     if not log.exists():
         raise Skipped("the program does not run under LD_PRELOAD (a sanitizer does not)")
     if ended.code != 0:

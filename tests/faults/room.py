@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A fresh folder in which the program is run, and what every refusal has to look like."""
 
+import atexit
+import functools
 import os
 import pathlib
 import shutil
@@ -50,6 +52,18 @@ class Program:
         except (OSError, subprocess.SubprocessError, ValueError, LookupError) as error:
             raise Skipped(f"no other user than root: {error}") from error
         return other
+
+
+@functools.cache
+def preloaded(source):
+    """The path of a library for LD_PRELOAD, made of a source file of this folder."""
+    folder = tempfile.mkdtemp(prefix="ehd-preloaded-")
+    atexit.register(shutil.rmtree, folder)
+    library = pathlib.Path(folder, "preloaded.so")
+    compiler = "cc" if source.endswith(".c") else "c++"
+    subprocess.run([compiler, "-shared", "-fPIC", "-o", library, pathlib.Path(__file__).with_name(source), "-ldl"],
+                   check=True)
+    return str(library)
 
 
 class Room:
