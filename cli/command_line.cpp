@@ -77,6 +77,7 @@ CommandWords words_of(const std::string& name, const CLI::App& app, const WordsO
   for (const CLI::Option* option : app.get_options()) {
     if (option->get_positional()) {
       words.takes_cases = words.takes_cases || option->get_name() == "CASE" || option->get_name() == "ID";
+      if (const auto known = values.find(option); known != values.end()) words.first = known->second;
       continue;
     }
     words.options.push_back(option->get_name());

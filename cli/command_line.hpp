@@ -27,7 +27,8 @@ class Option {
   Option& called(const std::string& value_name);  ///< the name of its value in the help: "--output DIR"
   Option& required();
   Option& showing_default();  ///< the help shows the value that the variable holds now: "TEXT=fast"
-  Option& completed_by(const std::string& words);  ///< the shell offers these words as its value: "one, two"
+  /// The shell offers these words, "one, two": as the value of an option, or in the place of the first argument.
+  Option& completed_by(const std::string& words);
 
  private:
   CLI::Option& option_;

@@ -34,12 +34,15 @@ std::string function_of(const std::string& program, const std::vector<CommandWor
   for (const CommandWords& command : commands) {
     if (command.name.empty()) continue;
     names += " " + command.name;
-    branches += fmt::format("    {}) options=\"{}\"{}{}{}{} ;;\n", command.name, joined(command.options),
+    std::string first = command.first;
+    std::erase(first, ',');
+    branches += fmt::format("    {}) options=\"{}\"{}{}{}{}{} ;;\n", command.name, joined(command.options),
                             assigned("with_case", command.with_case), assigned("with_value", command.with_value),
-                            command.takes_cases ? "; cases=yes" : "", chosen_words(command.with_word));
+                            command.takes_cases ? "; cases=yes" : "",
+                            first.empty() ? "" : fmt::format("; first=\"{}\"", first), chosen_words(command.with_word));
   }
   constexpr const char* whole = R"sh(_{program}() {{
-  local word="${{COMP_WORDS[COMP_CWORD]}}" before="" equals="" options="" with_case="" with_value="" cases="" words=""
+  local word="${{COMP_WORDS[COMP_CWORD]}}" before="" equals="" options="" with_case="" with_value="" cases="" words="" first=""
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
     COMPREPLY=($(compgen -W "{words}{names}" -- "$word"))
@@ -54,6 +57,7 @@ std::string function_of(const std::string& program, const std::vector<CommandWor
   case "$equals$before" in yes-*) ;; yes*) return ;; esac
   case "${{COMP_WORDS[1]}}" in
 {branches}  esac
+  case "$COMP_CWORD$word" in 2-*) ;; 2*) [ -z "$words" ] && words="$first" ;; esac
   if [ -n "$words" ]; then
     COMPREPLY=($(compgen -W "$words" -- "$word"))
     return

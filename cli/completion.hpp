@@ -15,6 +15,7 @@ struct CommandWords {
   std::vector<std::string> with_case = {};   ///< options whose value is a case
   std::vector<std::string> with_value = {};  ///< options with another value
   bool takes_cases = false;                  ///< the ids of the benchmark cases are words too
+  std::string first = {};                    ///< the words that the first argument may be, "one, two"
   /// Options whose value is one of some words, "one, two".
   std::vector<std::pair<std::string, std::string>> with_word = {};
 };

@@ -179,12 +179,12 @@ void describe_export(Command& command) {
   auto options = std::make_shared<ExportOptions>();
   command.summary("Tables for other programs: the films of one oil, or the contact force law of a raceway");
   command.examples(export_examples);
-  command.text("WHAT", options->what, "films or law").required();
+  command.text("WHAT", options->what, "films or law").required().completed_by("films, law");
   command
       .text("CASE", options->case_name,
             "films: a contact or a bearing, whose oil the table is for; law: a bearing. A file (TOML) or an id")
       .required();
-  command.text("--raceway", options->law.raceway, "law: inner or outer").called("RACEWAY");
+  command.text("--raceway", options->law.raceway, "law: inner or outer").called("RACEWAY").completed_by("inner, outer");
   command.text("--law", options->law.law, "law: ehd; the other laws are formulas")
       .showing_default()
       .completed_by(options->law.law);
@@ -193,7 +193,10 @@ void describe_export(Command& command) {
   command.text("--L", options->L, "range of Moes' lubricant group").called("LOW:HIGH");
   command.text("--tolerance", options->request.tolerance, "error allowed in every film of the table (1e-4)")
       .called("T");
-  command.text("--format", options->format, "csv, json or c; law: matlab too").called("FORMAT").showing_default();
+  command.text("--format", options->format, "csv, json or c; law: matlab too")
+      .called("FORMAT")
+      .showing_default()
+      .completed_by("csv, json, c, matlab");
   command.text("--output", options->output, "write the table into a file (standard output)").called("FILE");
   command.text("--threads", options->threads, "solves side by side (as many as there are cores)").called("N");
   command.text("--max-solves", options->most_solves, "solves in all, held-out ones among them (4000)").called("N");

@@ -98,7 +98,9 @@ void describe_new(Command& command) {
   auto options = std::make_shared<NewOptions>();
   command.summary("A commented case file to start from");
   command.examples(new_examples);
-  command.text("WHAT", options->what, "contact, bearing, keys, or types").required();
+  command.text("WHAT", options->what, "contact, bearing, keys, or types")
+      .required()
+      .completed_by("contact, bearing, keys, types");
   command.text("FILE", options->file, "a new file, NAME.toml (standard output)");
   command.text("--type", options->type, "of a bearing: NU, NJ, ...; ehd new types shows all");
   command.runs([options] { return make_new(*options); });

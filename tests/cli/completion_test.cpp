@@ -79,6 +79,18 @@ BOOST_AUTO_TEST_CASE(solvers_and_laws_are_offered_where_the_option_takes_them) {
   BOOST_TEST(offers("ehd solve --solver fast own-moes-20", "own-moes-20-10"));
 }
 
+BOOST_AUTO_TEST_CASE(the_words_of_a_first_argument_are_offered_there_alone) {
+  using Words = std::vector<std::string>;
+  BOOST_TEST(offered("ehd export f") == Words{"films"}, boost::test_tools::per_element());
+  BOOST_TEST(offered("ehd export ''") == (Words{"films", "law"}), boost::test_tools::per_element());
+  BOOST_TEST(offered("ehd new ''") == (Words{"contact", "bearing", "keys", "types"}), boost::test_tools::per_element());
+  BOOST_TEST(offers("ehd export films own-moes-20", "own-moes-20-10"));
+  BOOST_TEST(offers("ehd export --", "--raceway"));
+  BOOST_TEST(offered("ehd export law na4908 --raceway ''") == (Words{"inner", "outer"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(offered("ehd export law na4908 --format m") == Words{"matlab"}, boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(zsh_gets_the_same_by_its_bashcompinit) {
   const test::Folder folder;
   const std::string bash = test::ehd_run(folder, "--completion bash").out;
