@@ -42,7 +42,8 @@ std::string function_of(const std::string& program, const std::vector<CommandWor
                             first.empty() ? "" : fmt::format("; first=\"{}\"", first), chosen_words(command.with_word));
   }
   constexpr const char* whole = R"sh(_{program}() {{
-  local word="${{COMP_WORDS[COMP_CWORD]}}" before="" equals="" options="" with_case="" with_value="" cases="" words="" first=""
+  local word="${{COMP_WORDS[COMP_CWORD]}}" before="" equals="" options="" with_case="" with_value="" cases="" words=""
+  local first=""
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
     COMPREPLY=($(compgen -W "{words}{names}" -- "$word"))

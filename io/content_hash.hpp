@@ -17,7 +17,7 @@ inline constexpr std::size_t content_hash_digits = 32;
 
 /// XXH3, 128 bits (xxHash), as lower-case hexadecimal digits in the canonical order, high half first.
 [[nodiscard]] std::string content_hash(std::string_view bytes);
-/// The same, of what is left of a stream, which may be longer than the memory: it is read piece by piece.
+/// The hash of the rest of a stream. The stream is read piece by piece, so that its length needs no memory.
 [[nodiscard]] std::string content_hash(std::istream& bytes);
 
 /// The digits of a content_hash as a number, for where millions are held: 16 bytes instead of 80.

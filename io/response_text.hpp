@@ -12,8 +12,8 @@ namespace ehd {
 
 /// Numbers are finite; what is unknown, not asked for or not in SI is absent.
 [[nodiscard]] Json to_json(const ResponseRun& run);
-/// A header, and a line for each frequency: kappa with the relative error of the complex number; stiffness and damping
-/// per length in SI, where the case is in SI, with absolute errors. What is not known is empty.
+/// A header, and a line for each frequency. kappa has the relative error of the complex number. If the case is in SI,
+/// the line has stiffness and damping per length, with absolute errors. A cell is empty if its number is not known.
 [[nodiscard]] std::string response_csv(const ResponseRun& run);
 [[nodiscard]] std::string human_table(const ResponseRun& run, const std::string& title);
 

@@ -205,6 +205,22 @@ BOOST_AUTO_TEST_CASE(tables_of_motion_print_the_digits_that_are_known) {
     BOOST_CHECK_MESSAGE(says(text, phrase), phrase << " is not in\n" << text);
 }
 
+// Every force is known to 42 N. p_H has half the relative error of the force, a film the whole one and its own.
+BOOST_AUTO_TEST_CASE(the_rollers_table_ends_a_number_at_the_first_digit_of_its_error) {
+  const Case one = made::needle_bearing(10e-6);
+  const ErrorsOfLaws large{
+      {bearing::Law::ehd, {.displacement_m = 2e-9, .largest_force_N = 0.3, .any_force_N = 42, .smallest_film = 1e-3}}};
+  BearingResult result = made_result();
+  for (const std::size_t j : {1U, 3U}) {
+    result.rollers[j].inner.force_N = 437;
+    result.rollers[j].inner.hertz_pressure_Pa = 836.2e6;
+  }
+  const std::string text = human_table(one, {result}, {.errors = large});
+  for (const char* row : {"0          900  1200  0.31     3.1", "+-90       440   840  0.35     3.5",
+                          "180         10     -     -       -"})
+    BOOST_CHECK_MESSAGE(says(text, row), row << " is not in\n" << text);
+}
+
 BOOST_AUTO_TEST_CASE(the_rollers_table_has_load_pressure_film_and_lambda_ratio) {
   const Case one = made::needle_bearing(10e-6);
   const ErrorsOfLaws small{{bearing::Law::ehd, {.displacement_m = 2e-9, .largest_force_N = 0.3}}};
