@@ -35,9 +35,10 @@ struct AtlasOptions {
 
 const char* const atlas_examples = R"(
 Examples:
-  ehd atlas                                the whole atlas, into cases/atlas
-  ehd atlas --output out/atlas             the same elsewhere
-  ehd atlas --only roelands-m20-           the points with this in their id; the others stay as they are
+  ehd atlas --output out/atlas             the whole atlas
+  ehd atlas --output out/atlas --only roelands-m20-
+                                           the points with this in their id; the others stay as they are
+  ehd atlas                                the whole atlas, in the place of the digits in cases/atlas
   ehd atlas --motion                       stiffness, damping and waviness: kappa.csv, waviness.csv
   ehd atlas --only barus --fresh           solved again; the results of an earlier run are not used
 
@@ -59,6 +60,17 @@ std::string progress_line(std::size_t done, std::size_t all, const verification:
                      plain(record.wall_s, 3));
 }
 
+/// Results that are known less well must not replace the digits that stand in the program's own cases.
+void require_own_folder(const AtlasOptions& options, double time_limit_s, double usual_time_limit_s) {
+  if (options.output) return;
+  const auto refuse = [](const char* name, const std::string& value) {
+    throw option_error(name, value,
+                       "may leave fewer digits than stand in cases/atlas; allowed is another folder with it, --output");
+  };
+  if (options.tolerance) refuse("--tolerance", *options.tolerance);
+  if (options.time_limit && time_limit_s < usual_time_limit_s) refuse("--time-limit", *options.time_limit);
+}
+
 int atlas(const AtlasOptions& options) {
   RequestOptions limits;
   limits.tolerance = options.tolerance;
@@ -76,6 +88,7 @@ int atlas(const AtlasOptions& options) {
           "is too loose for digits; allowed is a number > 0, up to " + plain(verification::atlas_worst_error));
   }
   if (options.motion) request.time_limit_s = motion_time_limit_s;
+  require_own_folder(options, checked.time_limit_s, request.time_limit_s);
   if (options.time_limit) request.time_limit_s = checked.time_limit_s;
   request.threads = thread_count(options.threads);
   request.fresh = options.fresh;

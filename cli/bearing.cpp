@@ -61,7 +61,17 @@ Examples:
   ehd bearing na4908 na4908-10um --plot loads.svg --csv loads.csv
                                                        contact forces and displacements over the azimuth
 
-Exit code: 0 all laws balanced; 1 one did not; 2 bad input or usage.)";
+Laws, f the force of a contact and delta its approach:
+)";
+
+constexpr const char* bearing_exit_codes = "\nExit code: 0 all laws balanced; 1 one did not; 2 bad input or usage.";
+
+std::string bearing_help() {
+  std::string text = bearing_examples;
+  for (const bearing::LawRow& row : bearing::law_rows())
+    text += fmt::format("  {:<10}  {}\n", row.name, row.description);
+  return text + bearing_exit_codes;
+}
 
 /// Throws UsageError.
 bearing::Form form_named(const std::string& name) {
@@ -285,7 +295,7 @@ int bearing(const BearingOptions& options) {
 void describe_bearing(Command& command) {
   auto options = std::make_shared<BearingOptions>();
   command.summary("Load distribution of a roller bearing, dry and with films");
-  command.examples(bearing_examples);
+  command.examples(bearing_help());
   command.list("CASE", options->cases, "case files (TOML), ids of benchmark cases, or - for standard input").required();
   command
       .list("--law", options->laws,

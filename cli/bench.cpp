@@ -48,7 +48,7 @@ struct BenchOptions {
 const char* const bench_examples = R"(
 Examples:
   ehd bench --output out/bench                  every part, in 10 to 15 minutes
-  ehd bench --quick                             a short set of each, in under a minute
+  ehd bench --quick                             a short set of each, in a minute on idle cores
   ehd bench --part work-precision --case own-moes-20-10 --solver fast --solver reference
   ehd bench --part scaling
   ehd bench --part batch

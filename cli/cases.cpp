@@ -137,10 +137,12 @@ void require_citable(const std::vector<Case>& cases) {
 int list(const CasesOptions& options) {
   if (options.bibtex + options.json + options.show > 1)
     throw UsageError("cases: --bibtex, --json and --show exclude each other; allowed is one of them");
-  const bool all = options.ids.empty();
+  std::vector<std::string> ids = options.ids;
+  if (options.json) std::erase(ids, "-");  // --json - as of other commands: standard output is where it goes anyway
+  const bool all = ids.empty();
   if (options.atlas && !all) throw UsageError("cases: --atlas and an ID exclude each other; allowed is one of them");
   std::vector<Case> cases;
-  for (const std::string& id : options.ids) {
+  for (const std::string& id : ids) {
     Case one = read_case(find_case(id));
     const bool known = std::any_of(cases.begin(), cases.end(), [&](const Case& other) { return other.id == one.id; });
     if (!known) cases.push_back(std::move(one));

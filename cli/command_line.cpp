@@ -59,6 +59,11 @@ std::string unknown_word(CLI::App& app, const std::string& command) {
                      command);
 }
 
+/// "--json: stands before solve; allowed is behind it, ehd solve --help shows what"
+std::string word_before(const std::string& word, const std::string& subcommand, const std::string& command) {
+  return fmt::format("{}: stands before {}; allowed is behind it, {} --help shows what", word, subcommand, command);
+}
+
 /// What takes less memory, of the options that the command has. Empty: none.
 std::string needs_less_memory(const CLI::App& app) {
   std::string advice;
@@ -165,11 +170,17 @@ int run_command_line(const Program& program, int argc, char** argv) {
     const auto subcommands = app.get_subcommands();
     return subcommands.empty() ? app : *subcommands.front();
   };
+  const auto show_help = [&] { print(help_page(&chosen() == &app ? app.help() : chosen().help(program.name))); };
   const auto refuse = [&](const CLI::ParseError* error) {
     const std::string command = program.name + (&chosen() == &app ? "" : " " + chosen().get_name());
-    complain(program.name + ": " +
-             (error ? fmt::format("{}; {} --help shows what is allowed", said_by(*error), command)
-                    : unknown_word(chosen(), command)));
+    std::string why;
+    if (error)
+      why = fmt::format("{}; {} --help shows what is allowed", said_by(*error), command);
+    else if (chosen().remaining().empty())  // the word that is too many stands before the subcommand
+      why = word_before(app.remaining().front(), chosen().get_name(), command);
+    else
+      why = unknown_word(chosen(), command);
+    complain(program.name + ": " + why);
     return bad_input;
   };
   try {
@@ -179,10 +190,14 @@ int run_command_line(const Program& program, int argc, char** argv) {
     return success;
   } catch (const CLI::Success&) {  // --help, of the program or of a subcommand
     if (&chosen() == &app && !app.remaining().empty()) return refuse(nullptr);  // ehd frobnicate --help
-    print(help_page(&chosen() == &app ? app.help() : chosen().help(program.name)));
+    show_help();
     return success;
   } catch (const CLI::ExtrasError&) {
-    return refuse(nullptr);
+    if (app.remaining() != std::vector<std::string>{"help"} ||
+        chosen().remaining().size() > (&chosen() == &app ? 1 : 0))
+      return refuse(nullptr);
+    show_help();  // ehd help, ehd help solve
+    return success;
   } catch (const CLI::ParseError& error) {
     return refuse(&error);
   }
@@ -191,8 +206,13 @@ int run_command_line(const Program& program, int argc, char** argv) {
       print(completion_script(program.name, words_of(app, words), *shell));
       return success;
     });
-  if (app.get_subcommands().empty()) print(help_page(app.help()));
-  return exit_code;
+  if (!app.get_subcommands().empty()) return exit_code;
+  if (argc > 1) {  // ehd -- solve
+    complain(fmt::format("{0}: {1}: is no subcommand; {0} --help shows what is allowed", program.name, argv[1]));
+    return bad_input;
+  }
+  show_help();
+  return success;
 }
 
 }  // namespace ehd::cli

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "bearing/law_table.hpp"
 #include "cli/case_choice.hpp"
 #include "cli/export_law.hpp"
 #include "cli/options.hpp"
@@ -149,7 +150,8 @@ void require_own_options(const ExportOptions& options) {
       if (value)
         throw option_error(name, *value, std::string("belongs to export ") + owner + "; allowed is without it");
   };
-  if (options.what == "films") refuse({{"--raceway", options.law.raceway}, {"--knots", options.law.knots}}, "law");
+  if (options.what == "films")
+    refuse({{"--raceway", options.law.raceway}, {"--law", options.law.law}, {"--knots", options.law.knots}}, "law");
   if (options.what == "law")
     refuse({{"--M", options.M},
             {"--L", options.L},
@@ -185,9 +187,8 @@ void describe_export(Command& command) {
             "films: a contact or a bearing, whose oil the table is for; law: a bearing. A file (TOML) or an id")
       .required();
   command.text("--raceway", options->law.raceway, "law: inner or outer").called("RACEWAY").completed_by("inner, outer");
-  command.text("--law", options->law.law, "law: ehd; the other laws are formulas")
-      .showing_default()
-      .completed_by(options->law.law);
+  command.text("--law", options->law.law, "law: ehd, also where nothing is said; the other laws are formulas")
+      .completed_by(std::string(to_string(bearing::Law::ehd)));
   command.text("--knots", options->law.knots, "law: number of knots (32)").called("N");
   command.text("--M", options->M, "range of Moes' load group").called("LOW:HIGH");
   command.text("--L", options->L, "range of Moes' lubricant group").called("LOW:HIGH");

@@ -6,6 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "bearing/law_table.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
@@ -41,8 +42,8 @@ bearing::Raceway raceway_named(const std::optional<std::string>& name) {
 }
 
 LawExportRequest request_of(const LawExportOptions& options) {
-  if (const auto tabulated = to_string(bearing::Law::ehd); options.law != tabulated)
-    throw option_error("--law", options.law,
+  if (const auto tabulated = to_string(bearing::Law::ehd); options.law && *options.law != tabulated)
+    throw option_error("--law", *options.law,
                        fmt::format("has no table: only {0} is tabulated, the other laws are formulas (ehd bearing "
                                    "--json has their numbers); allowed is {0}",
                                    tabulated));

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include "bearing/law_table.hpp"
 #include "cli/case_choice.hpp"
 
 namespace ehd::cli {
@@ -13,8 +12,7 @@ namespace ehd::cli {
 struct LawExportOptions {
   std::string case_name, format;
   CaseChanges changes;
-  std::string law{to_string(bearing::Law::ehd)};
-  std::optional<std::string> raceway, knots, output, time_limit, time_limit_total;
+  std::optional<std::string> raceway, law, knots, output, time_limit, time_limit_total;
 };
 
 /// Returns the exit code. Throws UsageError, CaseError, OutputError.

@@ -33,7 +33,7 @@ Examples:
   ehd bench                           run time against achieved error
   ehd stress                          numerical stability
   ehd report out/verify               the results in that folder as one HTML page
-  ehd atlas --only m20-l10-           certified solutions over M and L, with the digits that are known
+  ehd atlas --output out/atlas        certified solutions over M and L, with the digits that are known
   ehd maps                            errors of the film formulas over M and L
 
 Exit code: 0 success; 1 a check failed or a solve did not converge; 2 bad input or usage.)";

@@ -82,7 +82,8 @@ std::optional<std::string> id_of_standard_output() {
 
 int make_new(const NewOptions& options) {
   if (!options.file) {
-    print(text_of(options, id_of_standard_output().value_or("my-" + options.what)));
+    const bool is_case = options.what == "contact" || options.what == "bearing";
+    print(text_of(options, (is_case ? id_of_standard_output() : std::nullopt).value_or("my-" + options.what)));
     return success;
   }
   const std::filesystem::path file = *options.file;

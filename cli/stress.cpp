@@ -33,7 +33,7 @@ struct StressOptions {
 const char* const stress_examples = R"(
 Examples:
   ehd stress --output out/stress     every part, in half an hour; leaves out/stress/stress.json
-  ehd stress --quick                 a small form of each, in under a minute
+  ehd stress --quick                 a small form of each, in a minute on two idle cores
   ehd stress --part d --part e       two parts
 
 Parts: a box (every load and material), b starts (random first states), c precision (double against long double and

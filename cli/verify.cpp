@@ -32,7 +32,7 @@ struct VerifyOptions {
 const char* const verify_examples = R"(
 Examples:
   ehd verify                            every rung, every case
-  ehd verify --quick                    without the slow topics, in less than a minute
+  ehd verify --quick                    without the slow topics, in two minutes on two idle cores
   ehd verify --rung 7 --all             one rung, each claim with its numbers
   ehd verify --case own-moes-20-10
   ehd verify --random-runs 50 --rung 8  error bars at 50 random runs of each law set, in six minutes
