@@ -130,7 +130,7 @@ std::string names() {
 /// A number with the digits that are known: logarithms are up to 50, of 16 digits two are lost in them.
 double rounded(double value) {
   constexpr int known_digits = 14;
-  return std::stod(plain(value, known_digits));
+  return number_in(plain(value, known_digits));
 }
 
 std::optional<double> value_by(const KnownEquations& known, const ScaledNumber& row) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -80,8 +81,15 @@ std::string fixed(double value, int decimals) { return fmt::format("{:.{}f}", va
 std::string signed_fixed(double value, int decimals) { return fmt::format("{:+.{}f}", value, decimals); }
 std::string scientific(double value, int decimals) { return fmt::format("{:.{}e}", value, decimals); }
 
+double number_in(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = std::numeric_limits<double>::quiet_NaN();
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
 std::string percent(double share, int digits) {
-  return plain(std::stod(plain(100 * share, digits))) + " %";  // 790 %, not 7.9e2 %
+  return plain(number_in(plain(100 * share, digits))) + " %";  // 790 %, not 7.9e2 %
 }
 std::string micrometre(double metre, int digits) { return plain(1e6 * metre, digits) + " um"; }
 std::string millimetre(double metre, int digits) { return plain(1e3 * metre, digits) + " mm"; }
@@ -89,12 +97,11 @@ std::string millimetre(double metre, int digits) { return plain(1e3 * metre, dig
 double relative_half_unit(std::string_view digits) {
   const auto exponent_at = digits.find_first_of("eE");
   const std::string_view mantissa = digits.substr(0, exponent_at);
-  const double exponent =
-      exponent_at == std::string_view::npos ? 0 : std::stod(std::string(digits.substr(exponent_at + 1)));
+  const double exponent = exponent_at == std::string_view::npos ? 0 : number_in(digits.substr(exponent_at + 1));
   const auto point = mantissa.find('.');
   const double decimals = point == std::string_view::npos ? 0 : static_cast<double>(mantissa.size() - point - 1);
   const double half = 0.5 * std::pow(10.0, exponent - decimals);
-  const double value = std::abs(std::stod(std::string(digits)));
+  const double value = std::abs(number_in(digits));
   return value > 0 ? half / value : half;
 }
 

@@ -32,6 +32,10 @@ namespace ehd {
 [[nodiscard]] std::string micrometre(double metre, int digits = 4);
 [[nodiscard]] std::string millimetre(double metre, int digits = 4);
 
+/// The number at the beginning of a text that this program wrote, NaN where there is none. The host's locale does not
+/// count: that of std::stod may want a comma.
+[[nodiscard]] double number_in(std::string_view text);
+
 /// Half a unit of the last digit of a decimal text, relative to the number ("0.0741" -> 0.00005/0.0741); absolute where
 /// the number is 0.
 [[nodiscard]] double relative_half_unit(std::string_view digits);

@@ -175,7 +175,7 @@ std::string error_of_forces(const std::vector<BearingResult>& results, const Err
     const BearingErrors* known = errors_of(result, errors);
     if (result.rollers.empty() || !known || !std::isfinite(known->any_force_N)) continue;
     text += fmt::format("{}{} N ({})", text.empty() ? "\n  every f_i is known to " : ", ",
-                        plain(std::stod(rounded_up(known->any_force_N, 2))), name_of(result));  // 420, not 4.2e2
+                        plain(number_in(rounded_up(known->any_force_N, 2))), name_of(result));  // 420, not 4.2e2
   }
   return text.empty() ? text : text + "\n";
 }

@@ -12,6 +12,7 @@
 #include "io/case_keys.hpp"
 #include "io/case_statement.hpp"
 #include "io/case_tree.hpp"
+#include "io/case_values.hpp"
 #include "io/read_oil.hpp"
 
 namespace ehd {
@@ -105,6 +106,7 @@ struct MissingKey {
 std::string required_of(const CaseTree& tree, const CaseKey& key) {
   const std::string allowed = text_of(key.allowed);
   if (key.name != "viscosity_Pa_s") return allowed;
+  if (tree.has("lubricant.viscosity_Pa_s")) return allowed + "; that in [lubricant] belongs here, in a contact";
   const std::string beside = key_beside_grade(tree);
   if (beside.empty()) return allowed + "; or the oil's grade, iso_vg with temperature_C in [lubricant]";
   return fmt::format("iso_vg in [lubricant], to which {} belongs; or {}, without {}", beside, allowed, beside);
@@ -144,6 +146,23 @@ const CaseTable& statement_without_faults(const CaseTree& tree) {
   }
   if (!lines.empty()) throw CaseError(lines);
   return *statement.table;  // null comes with a fault
+}
+
+CaseError with_wrong_values(const CaseTree& tree, const CaseError& refusal) {
+  std::vector<std::string> lines{refusal.what()};
+  lines.insert(lines.end(), refusal.more().begin(), refusal.more().end());
+  for (const CaseTable& table : case_tables())
+    for (const CaseKey& key : table.keys) {
+      const std::string path = name_in(std::string(table.name), key);
+      // A dry contact at rest has the speed 0.
+      if (!tree.has(path) || (path == "conditions.speed_sum_m_per_s" && !is_lubricated(tree))) continue;
+      try {
+        check_value(tree, path);
+      } catch (const CaseError& wrong) {
+        if (std::ranges::find(lines, wrong.what()) == lines.end()) lines.emplace_back(wrong.what());
+      }
+    }
+  return CaseError(lines);
 }
 
 void refuse_unknown(const CaseTree& tree) {

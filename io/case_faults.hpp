@@ -4,6 +4,7 @@
 
 namespace ehd {
 
+class CaseError;
 class CaseTree;
 struct CaseTable;
 
@@ -11,6 +12,9 @@ struct CaseTable;
 /// many, and for each key and table that is missing. It looks at keys alone; the readers refuse what follows from
 /// values. A missing key is left out where an unknown one was probably meant to be it.
 [[nodiscard]] const CaseTable& statement_without_faults(const CaseTree& tree);
+
+/// A refusal of the case, and after it every other value that its key's row does not allow, in the order of the rows.
+[[nodiscard]] CaseError with_wrong_values(const CaseTree& tree, const CaseError& refusal);
 
 /// The unknown keys alone, for a tree that is not a whole case. Throws CaseError.
 void refuse_unknown(const CaseTree& tree);

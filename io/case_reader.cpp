@@ -32,12 +32,7 @@ void read_heading(const CaseTree& tree, Case& made) {
   made.source = text(tree, "source");
 }
 
-/// `text` as checked_case_text leaves it.
-Case case_of(const std::string& text, const std::filesystem::path& file,
-             const std::vector<Substitution>& substitutions = {}) {
-  CaseTree tree(text, file, substitutions);
-  Case made;
-  made.file = tree.places().file;
+void read(const CaseTree& tree, Case& made) {
   const CaseTable& statement = statement_without_faults(tree);
   read_heading(tree, made);
   if (statement.in_bearing)
@@ -45,6 +40,19 @@ Case case_of(const std::string& text, const std::filesystem::path& file,
   else
     made.body = read_contact(tree, std::string(statement.name));
   made.expectations = std::visit([&](const auto& body) { return read_expectations(tree, body); }, made.body);
+}
+
+/// `text` as checked_case_text leaves it.
+Case case_of(const std::string& text, const std::filesystem::path& file,
+             const std::vector<Substitution>& substitutions = {}) {
+  CaseTree tree(text, file, substitutions);
+  Case made;
+  made.file = tree.places().file;
+  try {
+    read(tree, made);
+  } catch (const CaseError& refusal) {
+    throw with_wrong_values(tree, refusal);
+  }
   std::move(tree).move_places_to(made);
   return made;
 }

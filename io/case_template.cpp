@@ -51,7 +51,7 @@ std::string explained(const CaseKey& key) {
 
 /// An example of io/case_keys, which is a number.
 double example_number(std::string_view table, std::string_view key) {
-  return std::stod(std::string(row_of_case_key(fmt::format("{}.{}", table, key)).example));
+  return number_in(row_of_case_key(fmt::format("{}.{}", table, key)).example);
 }
 
 /// How many rollers of the example's diameters fit without a cage.

@@ -197,7 +197,7 @@ class TreeBuilder {
     add_keys(root, "", *find_case_table(""));
     for (auto&& [name, node] : root) {
       const CaseTable* table = find_case_table(name.str());
-      if (!table && node.is_table()) table = table_meant_by(std::string(name.str()), root);
+      if (!table && node.is_table()) table = table_meant_by(std::string(name.str()), *node.as_table(), root);
       if (!table || table->role == TableRole::heading) continue;
       if (table->role == TableRole::expectation)
         add_expectations(node, *table);
@@ -208,12 +208,18 @@ class TreeBuilder {
 
  private:
   /// The table that a mistyped name was probably meant to be, so that the faults of its keys are found too. Null where
-  /// nothing is near, and where the file has that table as well.
-  [[nodiscard]] const CaseTable* table_meant_by(const std::string& name, const toml::table& root) const {
+  /// nothing is near, where it has keys and none is near one of that table, and where the file has that table as well.
+  [[nodiscard]] const CaseTable* table_meant_by(const std::string& name, const toml::table& content,
+                                                const toml::table& root) const {
     const std::string meant = meant_by(name, "", true, names_in(*find_case_table(""), in_contact_)).path;
     const CaseTable* const table = meant.empty() ? nullptr : find_case_table(meant);
     const bool keyed = table && table->role != TableRole::heading && table->role != TableRole::expectation;
-    return keyed && !root.contains(meant) && !tree_.has(meant) ? table : nullptr;
+    if (!keyed || root.contains(meant) || tree_.has(meant)) return nullptr;
+    const std::vector<std::string> names = names_of_keys(*table, in_contact_);
+    const auto is_near = [&names](const auto& entry) {
+      return !near_miss(std::string(entry.first.str()), names).empty();
+    };
+    return content.empty() || std::ranges::any_of(content, is_near) ? table : nullptr;
   }
 
   void add_table(const toml::node& node, const CaseTable& table) {

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "contact/nondimensional.hpp"
+#include "contact/overloaded.hpp"
 #include "contact/text.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_tree.hpp"
@@ -148,6 +149,33 @@ std::string word(const CaseTree& tree, std::string_view key) {
   const std::string chosen = text(tree, key);
   if (std::find(words.begin(), words.end(), chosen) == words.end()) tree.fail(key, is_unknown(chosen, allowed_of(key)));
   return chosen;
+}
+
+Inlet inlet(const CaseTree& tree, std::string_view key) {
+  const CaseKey& row = row_of_case_key(key);
+  const auto& range = std::get<allowed::Inlet>(row.allowed);
+  const auto refuse = [&](const std::string& what) { tree.fail(key, what + "; allowed is " + text_of(row.allowed)); };
+  const CaseNode& node = required(tree, key);
+  if (const auto* word = std::get_if<std::string>(&node.content)) {
+    if (*word == range.word) return Flooded{};
+    refuse("is unknown");
+  }
+  const auto x = node.number();
+  if (!x) refuse("is " + node.type);
+  if (!std::isfinite(*x)) refuse("is not finite");
+  if (!(*x < range.edge)) refuse("lies inside or behind the contact");
+  if (*x < range.farthest) refuse("is out of range");
+  return TruncatedAt{*x};
+}
+
+void check_value(const CaseTree& tree, std::string_view key) {
+  std::visit(Overloaded{[&](const Interval&) { (void)number(tree, key); },
+                        [&](const allowed::Integer&) { (void)integer(tree, key); },
+                        [&](const allowed::OneOf&) { (void)maybe_one_of(tree, key); },
+                        [&](const allowed::Word&) { (void)word(tree, key); },
+                        [&](const allowed::Text&) { (void)text(tree, key); },
+                        [&](const allowed::Inlet&) { (void)inlet(tree, key); }, [](const allowed::Pair&) {}},
+             row_of_case_key(key).allowed);
 }
 
 const CaseNode& required(const CaseTree& tree, std::string_view key) {

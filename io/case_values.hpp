@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "contact/conditions.hpp"
+
 namespace ehd {
 
 class CaseTree;
@@ -34,6 +36,12 @@ class StatementError;
 [[nodiscard]] std::string text(const CaseTree& tree, std::string_view key, const std::function<std::string()>& allowed);
 /// One of the words in the key's row.
 [[nodiscard]] std::string word(const CaseTree& tree, std::string_view key);
+
+/// Where the oil begins: the word or the number in the key's row.
+[[nodiscard]] Inlet inlet(const CaseTree& tree, std::string_view key);
+
+/// Refuses a value that the key's row does not allow. A pair of numbers is left to its reader.
+void check_value(const CaseTree& tree, std::string_view key);
 
 /// The node of a key that must be there.
 [[nodiscard]] const CaseNode& required(const CaseTree& tree, std::string_view key);

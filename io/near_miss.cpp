@@ -113,26 +113,23 @@ bool ends_number(std::string_view text) {
 
 }  // namespace
 
-std::string near_miss(const std::string& word, const std::vector<std::string>& names) {
-  if (word.empty() || word.size() > longest_compared) return "";
+std::string near_miss(const std::string& typed, const std::vector<std::string>& names) {
+  if (typed.empty() || typed.size() > longest_compared) return "";
+  const std::string word = in_small_letters(typed);
   std::string nearest;
   std::size_t least = most_differences + 1;
   for (const std::string& name : names) {
-    const std::size_t apart = distance(in_small_letters(word), in_small_letters(name));
+    const std::size_t apart = distance(word, in_small_letters(name));
     const std::size_t letters = apart == 1 ? std::max(word.size(), name.size()) : word.size();
     if (apart < least && 2 * apart < letters) std::tie(least, nearest) = std::pair(apart, name);
   }
-  const std::string begun = shortest_where(names, [&](const std::string& name) { return name.starts_with(word); });
+  const auto at = [&word](const std::string& name) { return in_small_letters(name).find(word); };
+  const std::string begun = shortest_where(names, [&at](const std::string& name) { return at(name) == 0; });
   const bool is_start = !begun.empty() && word.size() >= shortest_start;  // --tol: --tolerance, and not --L
   if (!nearest.empty() && !(is_start && least == most_differences)) return nearest;
   if (!begun.empty()) return begun;
-  if (word.size() < shortest_part) {
-    const std::string small = in_small_letters(word);
-    const auto begins = [&](const std::string& name) { return in_small_letters(name).starts_with(small); };
-    if (const std::string name = shortest_where(names, begins); !name.empty()) return name;
-    return word.size() >= shortest_word ? only_with(word, names) : "";
-  }
-  nearest = shortest_where(names, [&](const std::string& name) { return name.find(word) != std::string::npos; });
+  if (word.size() < shortest_part) return word.size() >= shortest_word ? only_with(word, names) : "";
+  nearest = shortest_where(names, [&at](const std::string& name) { return at(name) != std::string::npos; });
   return nearest.empty() ? of_most_common_words(word, names) : nearest;
 }
 

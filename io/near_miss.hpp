@@ -13,14 +13,13 @@ namespace ehd {
 
 /// The first of these that exists, else empty. Capital letters count as small ones.
 /// - The nearest name where at most two characters differ (two swapped neighbours count as one), and fewer than half of
-///   the word's. Where one character
-///   differs, the longer of word and name counts: "lw" is law. A name that begins with the word goes before one where
-///   two differ.
+///   the word's. Where one character differs, the longer of word and name counts: "lw" is law. A name that begins with
+///   the word goes before one where two differ.
 /// - The shortest name that begins with the word.
 /// - For a word of four characters and more: the shortest name that contains it, or the name that has most of the
 ///   word's parts between "_".
 /// - For a word of two or three: the only name that has the word between "_".
-[[nodiscard]] std::string near_miss(const std::string& word, const std::vector<std::string>& names);
+[[nodiscard]] std::string near_miss(const std::string& typed, const std::vector<std::string>& names);
 
 /// At most two characters differ: the word is the mistyped name. Where more differ, the word may mean something else.
 [[nodiscard]] bool is_mistyped(const std::string& word, const std::string& name);

@@ -19,24 +19,6 @@ namespace ehd {
 
 namespace {
 
-Inlet read_inlet(const CaseTree& tree) {
-  constexpr const char* key = "domain.inlet";
-  const CaseKey& row = row_of_case_key(key);
-  const auto& range = std::get<allowed::Inlet>(row.allowed);
-  const auto refuse = [&](const std::string& what) { tree.fail(key, what + "; allowed is " + text_of(row.allowed)); };
-  const CaseNode& node = required(tree, key);
-  if (const auto* word = std::get_if<std::string>(&node.content)) {
-    if (*word == range.word) return Flooded{};
-    refuse("is unknown");
-  }
-  const auto x = node.number();
-  if (!x) refuse("is " + node.type);
-  if (!std::isfinite(*x)) refuse("is not finite");
-  if (!(*x < range.edge)) refuse("lies inside or behind the contact");
-  if (*x < range.farthest) refuse("is out of range");
-  return TruncatedAt{*x};
-}
-
 /// eta_0 stays open where the oil's grade sets it.
 Conditions read_conditions(const CaseTree& tree, bool dry) {
   Conditions conditions;
@@ -117,7 +99,7 @@ ContactCase read_contact(const CaseTree& tree, const std::string& statement) {
   } else {
     refuse_grade_beside(tree, statement);
   }
-  contact.inlet = read_inlet(tree);
+  contact.inlet = inlet(tree, "domain.inlet");
   require_pressure_scale(tree, contact);
   try {
     (void)nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet);

@@ -207,6 +207,8 @@ BOOST_AUTO_TEST_CASE(a_new_case_that_the_shell_writes_into_a_file_has_its_name) 
     BOOST_TEST(
         test::ehd_run(folder, there + "new contact " + into).out.find("id = \"my-contact\"") != std::string::npos,
         into);
+  for (const std::string what : {"keys", "types"})
+    BOOST_TEST(test::ehd_run(folder, there + "new " + what + " > 'two words.toml'").exit_code == 0, what);
   test::check_refused(
       folder,
       "--version > /dev/null && (cd '" + folder.path().string() + "' && " + program + "new contact > 'two words.toml')",
@@ -386,6 +388,41 @@ BOOST_AUTO_TEST_CASE(every_fault_of_the_keys_is_a_line_of_its_own) {
   // LL; id, version, title, source; L; [lubricant] with viscosity and density, [domain] with inlet
   BOOST_TEST(ended.error_lines() == 11);
   BOOST_TEST(ended.out == "");
+}
+
+BOOST_AUTO_TEST_CASE(every_wrong_value_is_a_line_of_its_own) {
+  const test::Folder folder;
+  const std::string heading = "id = \"mine\"\nversion = 0\ntitle = \"t\"\nsource = \"own\"\n";
+  const std::string values =
+      "[conditions]\nload_N_per_m = -1e5\nreduced_radius_m = \"1 cm\"\nreduced_modulus_Pa = 2.2e11\n"
+      "speed_sum_m_per_s = 0\nviscosity_Pa_s = 0.02\n[lubricant]\nviscosity = \"baruss\"\n"
+      "density = \"incompressible\"\nalpha_per_Pa = 2\n[domain]\ninlet = 4\n";
+  const std::vector<std::pair<std::string, int>> named{{"version", 2},
+                                                       {"load_N_per_m", 6},
+                                                       {"reduced_radius_m", 7},
+                                                       {"speed_sum_m_per_s", 9},
+                                                       {"viscosity = ", 12},
+                                                       {"alpha_per_Pa", 14},
+                                                       {"inlet", 16}};
+  const auto file = folder.write("mine.toml", heading + values);
+  const auto ended = test::ehd_run(folder, "solve " + file.string());
+  BOOST_TEST(ended.exit_code == 2);
+  BOOST_TEST(ended.error_lines() == named.size(), ended.err);
+  std::size_t last = 0;
+  for (const auto& [key, line] : named) {
+    const auto at = ended.err.find(fmt::format("mine.toml:{}: {}", line, key));
+    BOOST_TEST(at != std::string::npos, key << " in " << ended.err);
+    BOOST_TEST(at >= last, key);
+    last = at;
+  }
+  // Beside an unknown key, wrong values are named too.
+  (void)folder.write("mine.toml", heading + "colour = 3\n" + values);
+  BOOST_TEST(test::ehd_run(folder, "solve " + file.string()).error_lines() == named.size() + 1);
+  // A dry contact may rest: its speed of 0 is not wrong beside another fault.
+  (void)folder.write("mine.toml", heading +
+                                      "[conditions]\nload_N_per_m = -1\nreduced_radius_m = 1e-2\n"
+                                      "reduced_modulus_Pa = 2.2e11\nspeed_sum_m_per_s = 0\n");
+  BOOST_TEST(test::ehd_run(folder, "solve " + file.string()).error_lines() == 2u);
 }
 
 BOOST_AUTO_TEST_CASE(near_misses_of_options_commands_and_cases_are_named) {

@@ -223,6 +223,23 @@ BOOST_AUTO_TEST_CASE(a_missing_viscosity_may_be_stated_by_the_grade_of_the_oil) 
                "belongs; or a number, 1e-12 to 1e9, without temperature_C"});
 }
 
+BOOST_AUTO_TEST_CASE(a_viscosity_that_stands_in_the_table_of_bearings_is_said_to_belong_elsewhere) {
+  check_lines(
+      "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[conditions]\nload_N_per_m = 1e5\n"
+      "reduced_radius_m = 0.01\nreduced_modulus_Pa = 2.2e11\nspeed_sum_m_per_s = 3\n[domain]\ninlet = -4\n"
+      "[lubricant]\nviscosity = \"barus\"\ndensity = \"incompressible\"\nviscosity_Pa_s = 0.02\n",
+      {"5: [conditions] viscosity_Pa_s: is missing; required is a number, 1e-12 to 1e9; that in [lubricant] belongs "
+       "here, in a contact"});
+}
+
+// No key of [notes] is one of [moes], which the name resembles.
+BOOST_AUTO_TEST_CASE(an_unknown_table_is_one_line) {
+  check_lines(
+      "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[conditions]\nload_N_per_m = 1e5\n"
+      "reduced_radius_m = 0.01\nreduced_modulus_Pa = 2.2e11\n[notes]\na = 1\n",
+      {"9: [notes]: is unknown; did you mean [moes]? allowed is"});
+}
+
 // The oil is stated by its grade: no viscosity is missing, but the temperature is.
 BOOST_AUTO_TEST_CASE(a_mistyped_grade_counts_as_the_grade) {
   check_lines(
@@ -243,11 +260,11 @@ BOOST_AUTO_TEST_CASE(a_reader_of_tables_alone_refuses_unknown_keys_too) {
   BOOST_CHECK_NO_THROW((void)read(text.substr(0, text.find("alfa"))));
 }
 
-BOOST_AUTO_TEST_CASE(a_case_without_faults_of_keys_names_the_first_wrong_value) {
+BOOST_AUTO_TEST_CASE(a_case_without_faults_of_keys_names_every_wrong_value) {
   check_lines(
       "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[moes]\nM = -1\nL = -1\n"
       "[lubricant]\nviscosity = \"barus\"\ndensity = \"incompressible\"\n[domain]\ninlet = -4\n",
-      {"6: M = -1: is negative"});
+      {"6: M = -1: is negative", "7: L = -1: is negative"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

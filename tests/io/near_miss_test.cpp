@@ -54,6 +54,8 @@ BOOST_AUTO_TEST_CASE(capital_letters_are_small_ones) {
   BOOST_TEST(ehd::near_miss("u_mean", names) == "U_mean");
   BOOST_TEST(ehd::near_miss("la", names) == "lambda");
   BOOST_TEST(ehd::near_miss("u", names) == "U_mean");
+  BOOST_TEST(ehd::near_miss("LAMB", names) == "lambda");                             // the beginning of a longer word
+  BOOST_TEST(ehd::near_miss("EDUCED", {"reduced_radius_m"}) == "reduced_radius_m");  // a part
   BOOST_TEST(ehd::near_miss("Q", names) == "");
 }
 
