@@ -39,9 +39,13 @@ double FilmCurve::rise_m(double force_N) const {
   return dry_m - compliance_scale() * force_N / 2 - force_N * offset_film(force_N).slope;
 }
 
+double FilmCurve::force_error(double force_N) const {
+  return (force_N < lightest_N() ? errors_.joint_force : errors_.interpolation_force) +
+         errors_.solver_offset_film * film_part(force_N);
+}
+
 double FilmCurve::compliance_error(double force_N) const {
-  // An error of the film counts by the film's part of the rise.
-  const double part = offset_film(force_N).value / rise_m(force_N), solver = errors_.solver_offset_film * part;
+  const double part = film_part(force_N), solver = errors_.solver_offset_film * part;
   constexpr double steepest_below = 3;  // the error falls like f^3 at most
   if (force_N < lightest_N()) return steepest_below * (std::min(errors_.joint_force, errors_.joint * part) + solver);
   const auto inside = std::upper_bound(forces_N_.begin(), forces_N_.end() - 1, force_N);

@@ -69,6 +69,10 @@ class FilmCurve {
   /// f d(delta)/df [m] with the datum x_0 = l. A relative error of the contact force is an error of the approach over
   /// this.
   [[nodiscard]] double rise_m(double force_N) const;
+  /// The part of the film in that rise: an error of the film counts by it in the force.
+  [[nodiscard]] double film_part(double force_N) const { return offset_film(force_N).value / rise_m(force_N); }
+  /// Relative error of the contact force at a given approach with the datum x_0 = l: of the curve and of its solver.
+  [[nodiscard]] double force_error(double force_N) const;
   /// Relative error of d(delta)/df with the datum x_0 = l. An interpolation error is zero at both ends of a gap. If it
   /// is a cubic, reaches e inside, and the gap is g in ln f, its slope is at most 6 sqrt(3) e/g, that of x(1-x)(1-2x).
   /// Below the lightest point the error falls with the force, like f^(3/2) to f^3.

@@ -76,8 +76,9 @@ std::vector<std::string> law_export_words(const LawExport& law) {
                   plain(law.lightest_N, 4), plain(law.heaviest_N, 5), plain(law.balance_lightest_N, 4),
                   plain(law.balance_heaviest_N, 5)),
       how_to_interpolate,
-      fmt::format("Errors of the law, relative: force {}, film {}{}", error_text(law.force_error),
-                  error_text(law.film_error), law.damping_error ? ", damping " + plain(*law.damping_error, 2) : ""),
+      fmt::format("Errors of the law, relative: force {}, stiffness {}, film {}{}", error_text(law.force_error),
+                  error_text(law.stiffness_error), error_text(law.film_error),
+                  law.damping_error ? ", damping " + plain(*law.damping_error, 2) : ""),
       fmt::format("Errors of the table, found between the knots: force {}, stiffness {}, film {}{}",
                   plain(errors.force, 2), plain(errors.stiffness, 2), plain(errors.film, 2),
                   errors.damping ? ", damping " + plain(*errors.damping, 2) : "")};
@@ -127,6 +128,7 @@ Json to_json(const LawExport& law) {
   json["interpolation"] = how_to_interpolate;
   Json of_law, of_table;
   put(of_law, "force", law.force_error);
+  put(of_law, "stiffness", law.stiffness_error);
   put(of_law, "film", law.film_error);
   put(of_law, "damping", law.damping_error);
   put(of_table, "force", found.force);

@@ -86,11 +86,7 @@ ContactMotion MovingRaceway::with_film(double force_N, double omega) const {
     return contact_motion(response_->contact(), f, film_->datum_m(), omega, kappa(f, omega));
   };
   // The force itself has an error, and the contact at another force moves otherwise.
-  const bearing::CurveErrors& errors = film_->curve().errors();
-  const double force_error =
-      bearing::force_error_by_datum *
-      (errors.solver_offset_film +
-       (force_N < film_->curve().lightest_N() ? errors.joint_force : errors.interpolation_force));
+  const double force_error = bearing::force_error_by_datum * film_->curve().force_error(force_N);
   ContactMotion contact = made(force_N);
   const ContactMotion heavier = made(force_N * (1 + force_error));
   contact.stiffness_error += std::abs(heavier.stiffness_N_per_m - contact.stiffness_N_per_m);

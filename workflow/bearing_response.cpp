@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <functional>
@@ -20,9 +21,10 @@ namespace {
 
 /// Errors that a curve takes from the default solver; a bearing states about as much, and 2 % of its damping is allowed
 /// (bearing_dynamics.cpp). That solver is asked for half, because finer grids follow only where a number misses what
-/// was asked for. If a lag is not known well enough then, the solver is asked once more, at the last of these parts of
-/// the tolerance.
-constexpr double accepted = 1e-2, first_asked = 5e-3, asked_again = 0.25;
+/// was asked for. If a lag is not known well enough then, the solver is asked again, at these parts of the tolerance.
+/// At a frequency two asks may end on the same grid, and the certified solver takes a hundred times as long.
+constexpr double accepted = 1e-2, first_asked = 5e-3;
+constexpr std::array asked_parts{1.0, 0.25, 0.02};
 /// Where the certified solver is needed, the contact is heavy, and a looser tolerance saves it half of its time at
 /// most.
 constexpr double certified_tolerance = 1e-6;
@@ -54,13 +56,14 @@ bool known(const Stiffness& at) { return at.status != StopReason::diverged && st
 
 ContactResponder bearing_responder() {
   return [](const Problem& problem, const ResponseRequest& request) {
-    ResponseRequest closer = request, certified = request;
-    closer.tolerance *= asked_again;
-    certified.tolerance = certified_tolerance;
-    for (const auto& each : {std::cref(request), std::cref(closer)}) {
-      Response found = default_solver().respond(problem, each);
+    for (const double part : asked_parts) {
+      ResponseRequest closer = request;
+      closer.tolerance *= part;
+      Response found = default_solver().respond(problem, closer);
       if (accepted_of(found, problem.groups.M) || found.status == StopReason::limit_reached) return found;
     }
+    ResponseRequest certified = request;
+    certified.tolerance = certified_tolerance;
     return certified_solver().respond(problem, certified);
   };
 }

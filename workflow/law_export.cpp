@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "bearing/dynamics.hpp"
@@ -16,28 +17,48 @@ namespace {
 /// The table begins at this part of the lightest contact force of the balance: rollers of a rotor unload further.
 constexpr double below_the_balance = 0.5;
 
-/// Damping of slow motion from the responses of the raceway's contacts.
-struct Damping {
-  bearing::DampingOverForce over_force = {};
-  std::optional<double> error = {};
+/// The raceway's contacts in slow motion.
+struct SlowMotion {
+  std::function<bearing::ContactMotion(double force_N)> at = {};  ///< empty where there are no responses
   std::string why_not = {};
 };
 
-Damping damping_of(const bearing::CurveLaw& law, const Lubricant& lubricant, double lightest_N, ContactMemory& memory) {
+SlowMotion slow_motion(const bearing::CurveLaw& law, const Lubricant& lubricant, ContactMemory& memory) {
   const bearing::FilmCurve& curve = law.curve();
   const auto& made = memory.response_curve(curve.contact(), lubricant,
                                            {.lightest_N = curve.lightest_N(), .heaviest_N = curve.heaviest_N()});
   if (const auto* failure = std::get_if<bearing::SolveFailure>(&made)) return {.why_not = failure->why};
   const auto* response = &std::get<bearing::ResponseCurve>(made);
-  const auto motion = [response, datum_m = law.datum_m()](double force_N) {
+  return {.at = [response, datum_m = law.datum_m()](double force_N) {
     return contact_motion(response->contact(), force_N, datum_m, 0, response->slow(force_N));
-  };
-  double error = 0;
-  for (const double force_N : {lightest_N, curve.lightest_N(), curve.heaviest_N()}) {
-    const bearing::ContactMotion at = motion(force_N);
-    error = std::max(error, at.damping_error / std::abs(*at.damping_N_s_per_m));
+  }};
+}
+
+bearing::DampingOverForce damping_of(const SlowMotion& motion) {
+  if (!motion.at) return {};
+  return [&motion](double force_N) { return *motion.at(force_N).damping_N_s_per_m; };
+}
+
+/// The law's own errors, the largest at the knots of its table.
+void state_errors(LawExport& made, const bearing::FilmCurve& curve, const SlowMotion& motion) {
+  const bearing::CurveErrors& errors = curve.errors();
+  double film_part = 0;
+  for (std::size_t k = 0; k < made.table.force_N.values.size(); ++k) {
+    const double force_N = made.table.force_N.values[k], stiffness = made.table.force_N.slopes[k];
+    film_part = std::max(film_part, curve.film_part(force_N));
+    double stiffness_error = bearing::force_error_by_datum * curve.compliance_error(force_N);
+    if (motion.at) {
+      const bearing::ContactMotion slow = motion.at(force_N);
+      const double apart = std::abs(stiffness - slow.stiffness_N_per_m);  // the same number, found in another way
+      stiffness_error = std::min(stiffness_error, (apart + slow.stiffness_error) / stiffness);
+      made.damping_error =
+          std::max(made.damping_error.value_or(0), slow.damping_error / std::abs(*slow.damping_N_s_per_m));
+    }
+    made.stiffness_error = std::max(made.stiffness_error, stiffness_error);
   }
-  return {.over_force = [motion](double force_N) { return *motion(force_N).damping_N_s_per_m; }, .error = error};
+  made.force_error = bearing::force_error_by_datum *
+                     (std::max(errors.interpolation_force, errors.joint_force) + errors.solver_offset_film * film_part);
+  made.film_error = std::max(errors.interpolation, errors.joint) + errors.solver_minimum_film;
 }
 
 }  // namespace
@@ -64,14 +85,10 @@ LawExport export_law(const Case& bearing_case, const LawExportRequest& request, 
   made.heaviest_N = law.curve().heaviest_N();
   const Lubricant& stated = body.lubricant->lubricant;
   made.lubricant = with_alpha_and_z(stated, made.contact.at(made.heaviest_N));
-  const Damping damping = damping_of(law, stated, made.lightest_N, memory);
-  made.table = bearing::tabulate(law, made.lightest_N, made.heaviest_N, request.knots, damping.over_force);
-  const bearing::CurveErrors& errors = law.curve().errors();
-  made.force_error = bearing::force_error_by_datum *
-                     (std::max(errors.interpolation_force, errors.joint_force) + errors.solver_offset_film);
-  made.film_error = std::max(errors.interpolation, errors.joint) + errors.solver_minimum_film;
-  made.damping_error = damping.error;
-  made.no_damping = damping.why_not;
+  const SlowMotion motion = slow_motion(law, stated, memory);
+  made.table = bearing::tabulate(law, made.lightest_N, made.heaviest_N, request.knots, damping_of(motion));
+  state_errors(made, law.curve(), motion);
+  made.no_damping = motion.why_not;
   made.status = result.status;
   made.why = result.why;
   return made;

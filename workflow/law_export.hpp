@@ -30,9 +30,9 @@ struct LawExport {
   double lightest_N = 0, heaviest_N = 0;                  ///< contact forces of the table
   double balance_lightest_N = 0, balance_heaviest_N = 0;  ///< of the bearing in balance
   bearing::TabulatedLaw table = {};
-  /// The law's own errors, relative: of the force at an approach, of the film, of the damping. The table's are in
-  /// `table.errors`.
-  double force_error = 0, film_error = 0;
+  /// The law's own errors, relative, the largest at the knots: of the force and the stiffness at an approach, of the
+  /// film, of the damping. The table's are in `table.errors`.
+  double force_error = 0, stiffness_error = 0, film_error = 0;
   std::optional<double> damping_error = {};
   std::string no_damping = {};  ///< why the table has no damping; empty where it has
   /// Of the balance: where it is not converged, the errors are larger than asked for, or not known, and `why` says why.

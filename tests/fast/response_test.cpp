@@ -112,12 +112,26 @@ BOOST_AUTO_TEST_CASE(the_highest_certified_frequency_does_not_depend_on_what_is_
   BOOST_TEST((at.status == StopReason::converged));
 }
 
+// Truth: reference, 2e-8.
+BOOST_AUTO_TEST_CASE(the_moving_tail_of_compressible_oil_has_an_error_that_holds) {
+  const Lubricant oil{.viscosity = ViscosityLaw::roelands,
+                      .density = DensityLaw::dowson_higginson,
+                      .alpha_per_Pa = 1.33e-8,
+                      .z = 0.603};
+  const Problem problem = nondimensionalise(MoesGroups{0.776, 23.28}, oil, Flooded{}).problem;
+  const Response found = answer(problem, {.frequencies = {32.229}, .tolerance = 1e-4});
+  const std::complex<double> truth(1.0249988, 7.3622319);
+  EHD_CHECK(std::abs(found.frequencies.at(0).kappa / truth - 1.0),
+            Tolerance::required(found.frequencies.at(0).error, "it is stated"));
+}
+
 BOOST_AUTO_TEST_CASE(limits_end_the_solve_without_numbers) {
   const Response found = answer(roelands_problem(20, 10, Flooded{}), {.frequencies = {1}, .time_limit_s = 0});
   BOOST_TEST((found.status == StopReason::limit_reached));
   BOOST_TEST(!found.slow.has_value());
   BOOST_TEST(!found.highest_certified.has_value());
   BOOST_TEST((found.frequencies.at(0).status != StopReason::converged));
+  BOOST_TEST(found.cost.wall_s > 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_used_workspace_leaves_the_bits) {

@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(a_law_that_a_limit_cut_short_says_so_and_what_is_not_known)
   law.force_error = std::numeric_limits<double>::infinity();
   for (const auto& text : {law_export_csv(law), fmt::format("{}", fmt::join(law_export_words(law), "\n"))}) {
     BOOST_TEST(text.find("Status: limit-reached; a contact took too long") != std::string::npos, text);
-    BOOST_TEST(text.find("relative: force not known, film ") != std::string::npos, text);
+    BOOST_TEST(text.find("relative: force not known, stiffness ") != std::string::npos, text);
   }
   const auto json = nlohmann::json::parse(json_text(to_json(law)));
   BOOST_TEST(json["status"] == "limit-reached");

@@ -56,6 +56,11 @@ class Truth:
         stiffness, damping = self.motion.stiffness_damping(force, self.datum)
         return stiffness, self.contacts.film("minimum", force), damping
 
+    def film_part(self, force, length):
+        """Of the offset film in f d(delta)/df, both with the length as datum."""
+        stiffness, _ = self.motion.stiffness_damping(force, length)
+        return self.contacts.film("offset", force) * stiffness / force
+
     def slopes(self, force):
         """Of film and damping over the approach."""
         stiffness, *_ = self.at(force)
@@ -115,8 +120,10 @@ def audit(law, of, result, truth):
     own, table = law["errors"]["law"], law["errors"]["table"]
     by_datum = 2  # a curve's force error is that with the datum x_0 = l; with another it is up to twice as large
     said.equal("status", law["status"], "converged")
-    said.near("errors.law.force", own["force"], by_datum * (curve["force_error"] + curve["solver_error"]),
-              relative=ROUND_OFF)
+    part = max(truth.film_part(force, of.length) for force in truth.forces)
+    said.near("errors.law.force", own["force"], by_datum * (curve["force_error"] + curve["solver_error"] * part),
+              relative=FORCE_KNOWN)
+    said.within("errors.law.stiffness", own["stiffness"], 1e-5, 4 * FORCE_KNOWN)
     said.within("errors.law.film", own["film"], max(curve["interpolation_error"], curve["joint_error"]), 1e-2)
     said.within("errors.law.damping", own["damping"], 0, DAMPING_KNOWN)
     found = truth.worst(law["knots"])

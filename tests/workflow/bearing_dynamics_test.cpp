@@ -2,6 +2,7 @@
 // A bearing in motion with contacts and responses in closed form.
 #include "workflow/bearing_dynamics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -366,6 +367,31 @@ BOOST_AUTO_TEST_CASE(a_law_that_a_limit_cut_short_is_exported_with_that_status) 
   BOOST_TEST(law.table.approach_m.size() > 0u);
   BOOST_TEST((law.status == StopReason::limit_reached));
   BOOST_TEST(law.why == "the limit on iterations or time ended contacts of the film curves");
+}
+
+// Between its ends the damping of light contacts nearly vanishes, and there its relative error is the largest.
+BOOST_AUTO_TEST_CASE(the_damping_error_of_an_exported_law_is_that_of_its_smallest_damping) {
+  const auto exported = [](double left_at_M_10) {
+    ContactMemory memory(made_solution);
+    memory.respond_by([left_at_M_10](const Problem& problem, const ResponseRequest& request) {
+      Response response = made_response(problem, request);
+      SlowStiffness& slow = *response.slow;
+      slow.lag_error = 1e-3 * slow.lag;
+      const double away = std::log(problem.groups.M / 10);
+      slow.lag *= (left_at_M_10 + away * away) / (1 + away * away);
+      slow.kappa_1 = slow.lag * slow.kappa_0 * slow.kappa_0;
+      slow.error_1 = slow.lag_error / slow.lag;
+      return response;
+    });
+    // Preload keeps every roller above the lightest contact of the curve, and M from 5 to 22.
+    return export_law(needle_bearing(-2e-5), {.raceway = bearing::Raceway::inner, .knots = 60}, memory);
+  };
+  const LawExport dipped = exported(0.02), level = exported(1);
+  BOOST_REQUIRE((dipped.damping_error && level.damping_error));
+  const std::vector<double>& damping = dipped.table.damping_N_s_per_m->values;
+  const auto smallest = std::min_element(damping.begin(), damping.end());
+  BOOST_REQUIRE((smallest != damping.begin() && smallest + 1 != damping.end()));
+  BOOST_TEST(*dipped.damping_error > 5 * *level.damping_error);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -133,6 +133,33 @@ BOOST_AUTO_TEST_CASE(a_tolerance_that_cannot_be_met_is_said_with_the_error_found
   EHD_CHECK(worst, Tolerance::required(table.errors[1].stated, "the table states it, also where it misses"));
 }
 
+// One panel has the largest difference to a held-out solve, the other the largest error of a solve.
+BOOST_AUTO_TEST_CASE(a_table_of_two_panels_converges_only_where_both_together_meet_the_tolerance) {
+  constexpr double tolerance = 1e-3;
+  const auto made = [](double error_above) {
+    const FilmSource source = [=](const std::vector<MoesGroups>& contacts) {
+      std::vector<SolvedFilms> solved;
+      for (const MoesGroups& at : contacts) {
+        SolvedFilms& one = solved.emplace_back();
+        one.value = made_films(at);
+        one.value[1] *= 1 + 0.02 * std::abs(std::log(std::min(at.M, 7.0) / 3));  // a bend
+        one.error.fill(at.M < 7.01 ? 0 : error_above);
+      }
+      return solved;
+    };
+    return build_film_table(
+        made_oil(), {.range = {.M_low = 2, .M_high = 20, .L_low = 2, .L_high = 18}, .tolerance = tolerance}, source);
+  };
+  for (const double share : {0.2, 0.9}) {  // what each solve is asked for, and more
+    const FilmTable table = made(share * tolerance);
+    BOOST_REQUIRE(table.panels.size() == 2u);
+    BOOST_TEST(table.errors[1].found > 0.03 * tolerance);
+    BOOST_TEST(table.errors[1].stated == 3 * table.errors[1].found + table.errors[1].solves);
+    BOOST_TEST((table.status == StopReason::converged) == (table.errors[1].stated <= tolerance));
+    BOOST_TEST((table.status == StopReason::converged) == (share == 0.2));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(solves_that_state_more_than_the_tolerance_end_the_growth_at_once) {
   const FilmTable table =
       build_film_table(made_oil(), {.range = made_range, .tolerance = 1e-8}, made_source(made_films));
