@@ -104,7 +104,8 @@ std::string summary(const Sweep& sweep, const SweepCost& cost, const std::string
   std::string text = fmt::format("{}: {} rows of {}{}{}\n", sweep.id, cost.rows, sweep.case_id, laws, what);
   text += fmt::format("  rows computed {}, known before or equal to another {}{}, not converged {}\n", cost.computed,
                       cost.rows - cost.computed - cost.not_run,
-                      cost.not_run > 0 ? fmt::format(", not run {}", cost.not_run) : "", cost.failures.rows);
+                      cost.not_run > 0 ? fmt::format(", not run {}", cost.not_run) : "",
+                      cost.failures.rows - cost.failures.not_run);
   if (cost.computed > 0)
     text += fmt::format(
         "  contact solves made {}, saved {} (rows that share a contact solve it once)\n  time {} on {}{}", cost.solves,
@@ -152,8 +153,9 @@ int sweep(const SweepOptions& options) {
   if (!shard) text += "  " + (folder.path() / "rows.csv").string() + ", rows.json\n";
   print(text);
   if (cost.failures.rows == 0) return success;
-  complain(fmt::format("ehd: sweep: {} of {} rows did not converge; {}", cost.failures.rows, cost.rows,
-                       cost.failures.first));
+  const std::size_t not_run = cost.failures.not_run, ended = cost.failures.rows - not_run;
+  complain(fmt::format("ehd: sweep: {} of {} rows did not converge{}; {}", ended, cost.rows,
+                       not_run > 0 ? fmt::format(", {} were not run", not_run) : "", cost.failures.first));
   return not_met;
 }
 

@@ -51,9 +51,9 @@ function(ehd_optimise_little target)
   endif()
 endfunction()
 
-# ehd_optimise_less(TARGET): for code that reads and writes text row by row. -O1 takes 60 % of the time of -O3 too. Sweeps
-# of dry contacts, which do little else, then take 1.05 times the instructions; with -Og they take 1.4 times. As above
-# for targets that include Eigen.
+# ehd_optimise_less(TARGET): for code that reads and writes text row by row. -O1 takes 60 % of the time of -O3 too.
+# Sweeps of dry contacts, which do little else, then take 1.05 times the instructions; with -Og they take 1.4 times. As
+# above for targets that include Eigen.
 function(ehd_optimise_less target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()

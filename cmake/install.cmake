@@ -31,7 +31,6 @@ fortran=${prefix}/@CMAKE_INSTALL_DATADIR@/ehd/fortran
 
 Name: ehd
 Description: @PROJECT_DESCRIPTION@
-URL: @PROJECT_HOMEPAGE_URL@
 Version: @PROJECT_VERSION@
 Cflags: -I${prefix}/@CMAKE_INSTALL_INCLUDEDIR@
 Libs: -L${prefix}/@CMAKE_INSTALL_LIBDIR@ -lehd

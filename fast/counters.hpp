@@ -32,6 +32,14 @@ class StageClock {
     return std::exchange(stage_, next);
   }
   [[nodiscard]] double seconds(Stage stage) const { return seconds_[static_cast<std::size_t>(stage)]; }
+  /// The stages of a solve that ran within the present stage of this one: their time leaves that stage.
+  void add(const StageClock& within) {
+    change_to(stage_);
+    for (std::size_t k = 0; k < seconds_.size(); ++k) {
+      seconds_[k] += within.seconds_[k];
+      seconds_[static_cast<std::size_t>(stage_)] -= within.seconds_[k];
+    }
+  }
 
  private:
   Stage stage_ = Stage::other;
@@ -54,6 +62,18 @@ struct Counters {
     ++convolutions;
     convolution_points += intervals;
     product_grids.insert(intervals);
+  }
+
+  /// Also what another solve counts, which ran within this one.
+  void add(const Counters& other) {
+    clock.add(other.clock);
+    convolutions += other.convolutions;
+    convolution_points += other.convolution_points;
+    product_grids.insert(other.product_grids.begin(), other.product_grids.end());
+    newton += other.newton;
+    krylov += other.krylov;
+    viscosity_points += other.viscosity_points;
+    density_points += other.density_points;
   }
 };
 

@@ -173,8 +173,8 @@ Grid& Grids::unplanned(int intervals) {
   for (const auto& one : grids) {
     if (one->n == intervals) return *one;
   }
-  grids.push_back(std::make_unique<Grid>());
-  Grid& grid = *grids.back();
+  auto made = std::make_unique<Grid>();
+  Grid& grid = *made;
   grid.n = intervals;
   if (map_) {
     make_mapped(grid);
@@ -184,6 +184,7 @@ Grid& Grids::unplanned(int intervals) {
   grid.inverse_slope = grid.slope.inverse();
   grid.inverse_spacing = grid.spacing.inverse();
   grid.first_weight = grid.slope[0] / intervals / 2;
+  grids.push_back(std::move(made));  // whole: after an exception above the next solve makes it anew
   return grid;
 }
 

@@ -53,9 +53,7 @@ MappedClimb climb_from_milder(Run& run, const Request& request, int neighbours) 
   Run beside = begin_mapped(other, rough, run.workspace);
   const Solution neighbour{
       .fields = best_climb(beside, rough, care, nullptr, neighbours + 1).fields, .observables = {}, .record = {}};
-  run.counters.newton += beside.counters.newton;
-  run.counters.krylov += beside.counters.krylov;
-  run.counters.convolutions += beside.counters.convolutions;
+  run.counters.add(beside.counters);
   if (neighbour.fields.X.size() == 0) return {};
   return climb_mapped(run, request, recipes[0], &neighbour, Care::full);
 }

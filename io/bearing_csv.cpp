@@ -41,9 +41,9 @@ std::string roller_cells(const Case& one, const BearingResult& result, std::size
 }
 
 /// Without what is not known of the ring, as in the JSON.
-std::string motion_cells(const BearingResult& result, std::size_t k, std::size_t j) {
+std::string motion_cells(const BearingResult& result, const BearingResult* full, std::size_t k, std::size_t j) {
   const DynamicRow& row = result.dynamics[k];
-  const bool stiffness = knows_motion(result, nullptr, k), damping = knows_damping(row);
+  const bool stiffness = knows_motion(result, full, k), damping = knows_damping(row);
   std::string cells = comma_number(row.frequency_Hz);
   for (const bearing::ContactMotion* at : {&row.rollers[j].inner, &row.rollers[j].outer})
     cells += comma_number(stiffness ? std::optional(at->stiffness_N_per_m) : std::nullopt) +
@@ -57,12 +57,12 @@ std::string motion_cells(const BearingResult& result, std::size_t k, std::size_t
   return cells;
 }
 
-std::string csv_rows(const Case& one, const BearingResult& result, bool moving) {
+std::string csv_rows(const Case& one, const BearingResult& result, const BearingResult* full, bool moving) {
   std::string rows;
   for (std::size_t j = 0; j < result.rollers.size(); ++j) {
     const std::string roller = roller_cells(one, result, j);
     if (result.dynamics.empty()) rows += roller + (moving ? ",,,,,,,,,,,\n" : "\n");
-    for (std::size_t k = 0; k < result.dynamics.size(); ++k) rows += roller + motion_cells(result, k, j) + "\n";
+    for (std::size_t k = 0; k < result.dynamics.size(); ++k) rows += roller + motion_cells(result, full, k, j) + "\n";
   }
   return rows;
 }
@@ -76,7 +76,8 @@ std::optional<std::string> bearing_csv(const std::vector<Case>& cases,
   });
   std::string rows;
   for (std::size_t k = 0; k < cases.size(); ++k)
-    for (const BearingResult& result : results[k]) rows += csv_rows(cases[k], result, moving);
+    for (const BearingResult& result : results[k])
+      rows += csv_rows(cases[k], result, full_relation_in(results[k]), moving);
   if (rows.empty()) return std::nullopt;
   return fmt::format("{}{}\n{}", roller_columns, moving ? motion_columns : "", rows);
 }

@@ -172,9 +172,10 @@ void OutputFile::open_temporary() {
       if (why == EEXIST) continue;
       cannot_write(path_, std::strerror(why));
     }
-    // Another run may have taken the new file for a leftover before it was locked.
+    // Another run may have taken the new file for a leftover before it was locked. That run holds the lock while it
+    // removes the file, so this waits.
+    while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) continue;
     struct stat mine {};
-    ::flock(descriptor_, LOCK_EX | LOCK_NB);
     if (::fstat(descriptor_, &mine) == 0 && mine.st_nlink > 0) break;
     ::close(descriptor_);
   }

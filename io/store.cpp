@@ -95,6 +95,7 @@ Journal::Journal(const std::filesystem::path& folder, const JournalHeader& heade
     if (!found.whole || found.header != first) rewrite(first);
     open_file(O_RDWR | O_APPEND);
   } catch (...) {
+    if (descriptor_ >= 0) ::close(descriptor_);
     ::close(lock_);
     throw;
   }

@@ -234,6 +234,7 @@ std::string wrong_csv_entry(const Sweep& sweep, const Json& result) {
 void Failures::add(const std::optional<std::string>& failure) {
   if (!failure) return;
   if (++rows == 1) first = *failure;
+  if (failure->find(Deadline::not_run) != std::string::npos) ++not_run;
 }
 
 Failures write_table(const Sweep& sweep, const std::string& sweep_hash, const std::filesystem::path& folder,

@@ -25,7 +25,8 @@ struct StoredRow;  // io/stored_row
 /// Rows with a law that did not converge.
 struct Failures {
   std::size_t rows = 0;
-  std::string first = {};  ///< failure_of the first one
+  std::size_t not_run = 0;  ///< of these rows, left out by the deadline
+  std::string first = {};   ///< failure_of the first one
 
   void add(const std::optional<std::string>& failure);
 };

@@ -36,7 +36,7 @@ constexpr double hopeless_reduction = 0.7;
 /// ... unless the error is larger than this. The floor is then too high, and finer meshes may reach a lower one.
 constexpr double unknown = 0.5;
 /// A request's iterations are those of meshes with a thousand nodes; most meshes here have a hundred.
-constexpr int iterations_per_request = 10;
+constexpr long iterations_per_request = 10;
 constexpr double longest_time_s = 1e8;
 
 double inlet_cells(const Fields& fields, double film) {

@@ -138,10 +138,11 @@ JudgedTopic run_topic(const Topic& topic, const SuiteRequest& request) {
   return request.deadline.passed() ? leave_out(topic, request, Deadline::out_of_time) : topic_ended;
 }
 
-/// The rungs that any of the topics may judge, "6 to 9" or "8, 10, 11".
-std::string rungs_of(const std::vector<Topic>& topics) {
+/// The rungs that any of the topics may judge, but for one: "8, 10, 11".
+std::string rungs_of(const std::vector<Topic>& topics, std::optional<int> but_for) {
   std::set<int> all;
   for (const Topic& topic : topics) all.insert(topic.rungs.begin(), topic.rungs.end());
+  if (but_for) all.erase(*but_for);
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
@@ -305,7 +306,7 @@ SuiteRun::SuiteRun(const SuiteRequest& request, std::vector<Topic> topics, std::
   Numbered topic_names;  // of all topics, also of those left out below, so that a topic always has the same name
   for (Topic& topic : all) topic.name = topic_names(topic.name);
   std::erase_if(all, [&](const Topic& topic) { return request.case_id && topic.case_id.empty(); });
-  state_->allowed_rungs = rungs_of(all);
+  state_->allowed_rungs = rungs_of(all, request.rung);
   std::erase_if(all, [&](const Topic& topic) { return request.rung && !topic.rungs.contains(*request.rung); });
   if (all.empty()) throw nothing_for(request, state_->allowed_rungs);
   state_->judged.resize(all.size());

@@ -98,10 +98,9 @@ bearing::ContactResult solve_bearing_contact(const RacewayContact& contact, cons
   if (!film || !offset) return failed("the solver gives no film.minimum or film.offset with an error");
   const OffsetFilm known = offset_film_of(*offset, contact, force_N, hertz::half_width_m(conditions));
   if (!known.known_to(largest_offset_error))
-    return failed(
-        fmt::format("the relative error of the offset film is {}, and its absolute error is more than {} times a tenth "
-                    "of the approach",
-                    plain(known.error / known.film, 2), plain(largest_offset_error)));
+    return failed(fmt::format(
+        "the relative error of the offset film is {}, and its absolute error is more than {} of the approach",
+        plain(known.error / known.film, 2), plain(largest_offset_error / dry_approach_over_film)));
   const bool good_enough = *film->error <= needed_tolerance && known.known_to(needed_tolerance);
   const Reading* rolling = with_error(solution.observables, Quantity::rolling_force);
   const double b = hertz::half_width_m(conditions), rolling_unit = hertz::pressure_Pa(conditions) * b * b;

@@ -144,7 +144,7 @@ ContactRun run_contact(const ContactCase& contact, const RegisteredSolver& solve
   } else {
     run_dry(contact, run);
   }
-  for (const Unusual& one : unusual(facts_of(contact.statement, run))) run.notes.push_back(sentence_of(one));
+  for (const Unusual& one : unusual(facts_of(contact, run))) run.notes.push_back(sentence_of(one));
   return run;
 }
 

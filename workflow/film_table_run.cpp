@@ -19,7 +19,8 @@ ContactRun run_from_table(const Case& contact_case, const FilmTable& table) {
   run.plan.decide(stage::solve, "films = \"table\"");
   run.groups = made.problem.groups;
   run.scales = made.scales;
-  run.notes = made.notes;
+  run.oil = contact.oil;
+  run.notes = contact.oil ? notes_of(*contact.oil, made.notes) : made.notes;
   run.solution.record.status = table.status;
   run.solution.record.reason = table.reason;
   if (table.panels.empty()) return run;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/oil_laws.hpp"
 #include "contact/text.hpp"
 #include "workflow/bearing_of_case.hpp"
 #include "workflow/bearing_result.hpp"
@@ -31,6 +32,20 @@ constexpr std::array table{
                .highest = 10,
                .unit = "Pa s",
                .reason = "from liquefied gas, some 1e-4 Pa s, to twice that of an ISO VG 320 oil at 0 degrees C"},
+    UsualRange{.name = "alpha",
+               .fact = &Facts::alpha_per_Pa,
+               .lowest = 3e-9,
+               .highest = 6e-8,
+               .shown_over_SI = 1e9,
+               .unit = "1/GPa",
+               .reason = "water glycols have some 4 /GPa, mineral oils 15 to 30, traction fluids 40"},
+    UsualRange{.name = "p_0",
+               .fact = &Facts::p0_Pa,
+               .lowest = 5e7,
+               .highest = 1e9,
+               .shown_over_SI = 1e-6,
+               .unit = "MPa",
+               .reason = "Roelands' own is 196 MPa, for every oil"},
     UsualRange{.name = "load",
                .fact = &Facts::load_N_per_m,
                .lowest = 1e3,
@@ -56,6 +71,13 @@ constexpr std::array table{
                .highest = 2e4,
                .unit = "kg/m3",
                .reason = "plastics have some 1000 kg/m3, steel 7850 kg/m3, tungsten carbide 15600 kg/m3"},
+    UsualRange{.name = "roughness",
+               .fact = &Facts::roughness_m,
+               .lowest = 1e-9,
+               .highest = 2e-5,
+               .shown_over_SI = 1e6,
+               .unit = "um",
+               .reason = "raceways have 0.05 to 0.5 um"},
     UsualRange{.name = "p_H",
                .fact = &Facts::hertz_pressure_Pa,
                .lowest = {},
@@ -103,17 +125,25 @@ void keep(std::optional<double>& kept, const std::optional<double>& value, Choos
   if (value) kept = kept ? choose(*kept, *value) : *value;
 }
 
+/// What the viscosity law of the oil reads.
+void put_oil(Facts& facts, const Lubricant& oil) {
+  const LawKeys keys = row_of(oil.viscosity).keys;
+  if (keys.alpha_per_Pa) facts.alpha_per_Pa = oil.alpha_per_Pa;
+  if (keys.p0_Pa) facts.p0_Pa = oil.p0_Pa;
+}
+
 }  // namespace
 
 std::span<const UsualRange> usual_ranges() { return table; }
 
-Facts facts_of(const Statement& statement, const ContactRun& run) {
+Facts facts_of(const ContactCase& contact, const ContactRun& run) {
   Facts facts;
+  if (contact.lubricant) put_oil(facts, *contact.lubricant);
   if (run.scales) facts.hertz_pressure_Pa = run.scales->hertz_pressure_Pa;
   const auto film = run.solution.observables.find(Quantity::film_minimum);
   const std::optional<double> scale = run.m_per_hertz_film();
   if (film != run.solution.observables.end() && scale) facts.film_minimum_m = *scale * film->second.value;
-  const auto* conditions = std::get_if<Conditions>(&statement);
+  const auto* conditions = std::get_if<Conditions>(&contact.statement);
   if (!conditions) return facts;
   if (conditions->speed_sum_m_per_s) facts.surface_speed_m_per_s = std::abs(*conditions->speed_sum_m_per_s) / 2;
   facts.viscosity_Pa_s = conditions->viscosity_Pa_s;
@@ -130,7 +160,11 @@ Facts facts_of(const BearingCase& body, const std::vector<RollerRow>& rollers) {
   Facts facts;
   facts.surface_speed_m_per_s =
       std::max(std::abs(speeds.inner_rad_per_s) * (d_m - D) / 2, std::abs(speeds.outer_rad_per_s) * (d_m + D) / 2);
-  if (body.lubricant) facts.viscosity_Pa_s = body.lubricant->viscosity_Pa_s;
+  if (body.lubricant) {
+    facts.viscosity_Pa_s = body.lubricant->viscosity_Pa_s;
+    put_oil(facts, body.lubricant->lubricant);
+  }
+  facts.roughness_m = body.roughness_m;
   facts.reduced_modulus_Pa = bearing::reduced_modulus_Pa(body.modulus_Pa, body.poisson);
   facts.roller_density_kg_per_m3 = geometry.density_kg_per_m3;
   facts.rollers_over_circumference = geometry.rollers * D / (std::numbers::pi * d_m);

@@ -11,11 +11,10 @@
 #include <string_view>
 #include <vector>
 
-#include "contact/conditions.hpp"
-
 namespace ehd {
 
 struct BearingCase;
+struct ContactCase;
 struct ContactRun;
 struct RollerRow;
 
@@ -23,10 +22,12 @@ struct RollerRow;
 struct Facts {
   std::optional<double> surface_speed_m_per_s = {};  ///< the faster raceway; of a contact the mean of both surfaces
   std::optional<double> viscosity_Pa_s = {};
-  std::optional<double> load_N_per_m = {};        ///< of a contact
-  std::optional<double> reduced_radius_m = {};    ///< of a contact
-  std::optional<double> reduced_modulus_Pa = {};  ///< E'
+  std::optional<double> alpha_per_Pa = {}, p0_Pa = {};  ///< where the viscosity law reads them
+  std::optional<double> load_N_per_m = {};              ///< of a contact
+  std::optional<double> reduced_radius_m = {};          ///< of a contact
+  std::optional<double> reduced_modulus_Pa = {};        ///< E'
   std::optional<double> roller_density_kg_per_m3 = {};
+  std::optional<double> roughness_m = {};
   std::optional<double> hertz_pressure_Pa = {};           ///< the highest
   std::optional<double> film_minimum_m = {};              ///< the thinnest
   std::optional<double> rollers_over_circumference = {};  ///< Z D/(pi d_m)
@@ -34,7 +35,7 @@ struct Facts {
   std::optional<double> diameter_over_pitch = {};         ///< D/d_m
   std::optional<double> clearance_over_pitch = {};        ///< P_d/d_m
 };
-[[nodiscard]] Facts facts_of(const Statement& statement, const ContactRun& run);
+[[nodiscard]] Facts facts_of(const ContactCase& contact, const ContactRun& run);
 /// `rollers` may be empty: then the stated numbers alone are known.
 [[nodiscard]] Facts facts_of(const BearingCase& body, const std::vector<RollerRow>& rollers);
 

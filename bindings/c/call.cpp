@@ -64,9 +64,9 @@ int refuse(const CaseError& error) noexcept {
 
 }  // namespace
 
-int guarded(const std::function<int()>& body) noexcept {
+int refused() noexcept {
   try {
-    return body();
+    throw;
   } catch (const CaseError& error) {
     return refuse(error);
   } catch (const BadArgument& error) {

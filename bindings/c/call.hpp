@@ -5,7 +5,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -24,9 +23,19 @@ class BadArgument : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Runs the body of a call and returns what it returns. What it throws becomes EHD_BAD_INPUT or, for lack of memory and
-/// for our own errors, EHD_NOT_MET; the thread's last error says why. Nothing is thrown.
-[[nodiscard]] int guarded(const std::function<int()>& body) noexcept;
+/// In a handler: the exception becomes EHD_BAD_INPUT or, for lack of memory and for our own errors, EHD_NOT_MET; the
+/// thread's last error says why.
+[[nodiscard]] int refused() noexcept;
+
+/// Runs the body of a call and returns what it returns, or what its exception becomes. Nothing is thrown.
+template <class Body>
+[[nodiscard]] int guarded(const Body& body) noexcept {
+  try {
+    return body();
+  } catch (...) {
+    return refused();
+  }
+}
 
 /// The thread's last error, for a call that ends with EHD_NOT_MET.
 void set_last_error(const std::string& line);

@@ -12,7 +12,7 @@ namespace ehd::reference::hp {
 
 /// The part of the caller's limits that is left, and the work that is done.
 struct Meter {
-  int iterations_left = 0;
+  long iterations_left = 0;
   std::chrono::steady_clock::time_point end;
   int iterations = 0;
   long kernel_products = 0;   ///< film evaluations and Jacobians

@@ -40,7 +40,7 @@ constexpr int most_intervals = 2000;
 constexpr int most_refinements = 20;
 constexpr double shortest_element = 4e-15;  // in xi, as in HomotopyLimits
 constexpr NewtonLimits refined_newton{.iterations = 20, .step = 1e-9};
-constexpr int iterations_per_request = 10;  // as in high_order.cpp
+constexpr long iterations_per_request = 10;  // as in high_order.cpp
 
 /// A number as both discretisations have it.
 struct Twice {
@@ -95,6 +95,7 @@ class ResponseSolve {
   [[nodiscard]] bool find_steady(double working);
   /// Slow motion about the steady state; of two steady states, by the one that gives smaller errors. Empty where no
   /// steady state is found.
+  void fill(Cost& cost) const;
   [[nodiscard]] std::optional<SlowStiffness> find_slow();
   /// Refines all meshes until `excess` is at most 1 everywhere; false where they cannot.
   template <class Excess>
@@ -268,6 +269,13 @@ std::optional<SlowStiffness> ResponseSolve::find_slow() {
   return best;
 }
 
+void ResponseSolve::fill(Cost& cost) const {
+  if (!steady_.both.empty()) cost.nodes = steady_.both.front().intervals();
+  cost.newton_iterations = meter_.iterations;
+  cost.convolutions = meter_.kernel_products;
+  cost.wall_s = std::chrono::duration<double>(Clock::now() - begin_).count();
+}
+
 Response ResponseSolve::solve() {
   Response found;
   for (const double Omega : request_.frequencies) found.frequencies.push_back({.Omega = Omega});
@@ -276,6 +284,7 @@ Response ResponseSolve::solve() {
   if (!found.slow) {
     answer_nothing(found, request_, meter_.spent() ? StopReason::limit_reached : StopReason::diverged,
                    "the steady state was not found");
+    fill(found.cost);
     return found;
   }
   // Low frequencies first: each takes the meshes over from the one before.
@@ -305,10 +314,7 @@ Response ResponseSolve::solve() {
   if (const double floor = steady_.both.front().steady().floor; floor > 0)
     found.notes.push_back("the fluidity's floor could not be lowered below " + plain(floor, 2) +
                           ": values are those of this floor, and their errors include the move to floor 0");
-  found.cost.wall_s = std::chrono::duration<double>(Clock::now() - begin_).count();
-  found.cost.nodes = steady_.both.front().intervals();
-  found.cost.newton_iterations = meter_.iterations;
-  found.cost.convolutions = meter_.kernel_products;
+  fill(found.cost);
   return found;
 }
 

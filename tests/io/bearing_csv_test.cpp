@@ -56,6 +56,17 @@ BOOST_AUTO_TEST_CASE(a_bearing_in_motion_has_a_row_a_roller_and_frequency_with_s
   for (const std::string& row : rows) BOOST_TEST(cells(row) == cells(rows[0]));
 }
 
+BOOST_AUTO_TEST_CASE(a_line_far_from_ehd_has_no_stiffness_in_motion_as_in_the_json) {
+  BearingResult full = two_rollers(bearing::Law::ehd, {100}), line = two_rollers(bearing::Law::ehd_linear, {100});
+  line.fit.emplace();
+  for (auto& row : line.dynamics[0].ring.stiffness_N_per_m)
+    for (double& number : row) number *= 0.3;
+  const auto csv = ehd::bearing_csv({verification::made::needle_bearing(0)}, {{full, line}});
+  BOOST_REQUIRE(csv.has_value());
+  BOOST_TEST(csv->find(",100,1000000000,107,3000000000,,5,7,6,8,10,9\n") != std::string::npos, *csv);
+  BOOST_TEST(csv->find(",100,,107,,,,,,8,10,9\n") != std::string::npos, *csv);
+}
+
 BOOST_AUTO_TEST_CASE(without_motion_there_is_no_column_of_it_and_without_a_balance_no_file) {
   const Case one = verification::made::needle_bearing(0);
   const auto csv = ehd::bearing_csv({one}, {{two_rollers(bearing::Law::hertz, {})}});

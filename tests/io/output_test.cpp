@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
+#include <thread>
 
 #include "contact/text.hpp"
 #include "io/contact_json.hpp"
@@ -369,6 +371,27 @@ BOOST_AUTO_TEST_CASE(what_a_killed_run_left_is_removed_and_what_a_living_one_wri
   OutputFile(folder.path() / "result.json").commit("second");
   living.commit("first");
   BOOST_TEST(test::read(folder.path() / "result.json") == "first");
+}
+
+// A run that begins looks at every temporary file there, and must not remove one that another run has just made.
+BOOST_AUTO_TEST_CASE(runs_that_begin_at_once_do_not_remove_one_another_s_files) {
+  const test::Folder folder;
+  constexpr int runs = 2000;
+  std::atomic<int> failed = 0;
+  const auto write = [&] {
+    for (int k = 0; k < runs; ++k) {
+      try {
+        OutputFile(folder.path() / "result.json").commit("whole");
+      } catch (const OutputError&) {
+        ++failed;
+      }
+    }
+  };
+  std::thread other(write);
+  write();
+  other.join();
+  BOOST_TEST(failed == 0);
+  BOOST_TEST(test::read(folder.path() / "result.json") == "whole");
 }
 
 BOOST_AUTO_TEST_CASE(a_name_as_long_as_the_system_allows_can_be_written) {

@@ -59,6 +59,26 @@ BOOST_AUTO_TEST_CASE(a_row_with_films_from_a_table_says_so_and_agrees_with_a_sol
   for (std::size_t i = 1; i < lines.size(); ++i) BOOST_TEST(lines[i].find(",table,converged,") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(a_row_from_a_table_tells_of_the_oil_as_a_solve_does) {
+  const Folder folder;
+  (void)folder.write("graded.toml",
+                     "id = \"graded\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[conditions]\nload_N_per_m = 1e5\n"
+                     "reduced_radius_m = 1e-2\nreduced_modulus_Pa = 2.2e11\nspeed_sum_m_per_s = 3\n[lubricant]\n"
+                     "iso_vg = 68\ntemperature_C = 60\nviscosity = \"roelands\"\ndensity = \"dowson-higginson\"\n"
+                     "[domain]\ninlet = \"flooded\"\n");
+  const auto result_of = [&](const std::string& films) {
+    const Sweep sweep =
+        read_sweep(folder.write("s.toml", "case = \"graded.toml\"\ncombine = \"product\"\ntolerance = 1e-2\n" + films +
+                                              "[keys]\n\"conditions.load_N_per_m\" = [1e5]\n"));
+    (void)run_sweep(sweep, {}, folder.path() / "out");
+    return nlohmann::json::parse(Files(folder.path() / "out").json)["rows"][0]["results"][0];
+  };
+  const auto solved = result_of(""), tabled = result_of("films = \"table\"\n[table]\nM = [5, 20]\nL = [9, 12.0]\n");
+  BOOST_REQUIRE(solved.contains("lubricant"));
+  BOOST_TEST(tabled["lubricant"] == solved["lubricant"]);
+  BOOST_TEST(tabled["notes"][0] == solved["notes"][0]);
+}
+
 BOOST_AUTO_TEST_CASE(rows_from_a_table_do_not_depend_on_threads_or_shards) {
   const Folder folder;
   const Sweep tabled = read_sweep(folder.write("s.toml", table_sweep()));

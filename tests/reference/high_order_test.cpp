@@ -91,6 +91,12 @@ BOOST_AUTO_TEST_CASE(looser_tolerances_are_met_with_fewer_intervals) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(as_many_iterations_as_there_are_numbers_are_no_limit) {
+  Request request = within(1e-2);
+  request.max_iterations = std::numeric_limits<int>::max();
+  BOOST_TEST((HighOrder{}.solve(barus_problem(5, 5, Flooded{}), request).record.status == StopReason::converged));
+}
+
 BOOST_AUTO_TEST_CASE(stiff_barus_oil_meets_a_millionth) {
   // A mesh that does not follow the steep layer ends above the tolerance.
   const Solution solution = HighOrder{}.solve(barus_problem(20, 100, Flooded{}), within(1e-6));

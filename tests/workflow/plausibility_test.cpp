@@ -43,6 +43,9 @@ BOOST_AUTO_TEST_CASE(slips_of_a_unit_are_named) {
   BOOST_TEST((after([](BearingCase& b) { b.geometry.length_m = 10.5; }) == Names{"l/D"}));
   BOOST_TEST((after([](BearingCase& b) { b.lubricant->viscosity_Pa_s = 20; }) == Names{"viscosity"}));
   BOOST_TEST((after([](BearingCase& b) { b.lubricant->viscosity_Pa_s = 2e-5; }) == Names{"viscosity"}));
+  BOOST_TEST((after([](BearingCase& b) { b.lubricant->lubricant.alpha_per_Pa = 2e-11; }) == Names{"alpha"}));
+  BOOST_TEST((after([](BearingCase& b) { b.lubricant->lubricant.p0_Pa = 1.96e5; }) == Names{"p_0"}));
+  BOOST_TEST((after([](BearingCase& b) { b.roughness_m = 0.15; }) == Names{"roughness"}));
   BOOST_TEST((after([](BearingCase& b) { b.modulus_Pa = 2.06e8; }) == Names{"E'"}));
   BOOST_TEST((after([](BearingCase& b) { b.geometry.density_kg_per_m3 = 7.85; }) == Names{"density of the rollers"}));
   BOOST_TEST((after([](BearingCase& b) { b.geometry.clearance_m = -0.1; }) == Names{"P_d/d_m"}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A stopwatch, the processor time of a thread, the number of repetitions, and the median of the times.
+// A stopwatch, the processor time of a thread, and the number of repetitions.
 #pragma once
 
 #include <time.h>

@@ -24,9 +24,6 @@ constexpr int most_root_steps = 200;
 
 double call(double x, void* function) { return (*static_cast<const Function*>(function))(x); }
 
-/// By default GSL aborts the program. Here every status is checked instead.
-void keep_going_on_gsl_errors() { [[maybe_unused]] static const auto once = gsl_set_error_handler_off(); }
-
 gsl_function wrap(const Function& f) { return {.function = call, .params = const_cast<Function*>(&f)}; }
 
 double judged(int status, double value, double estimate) {
@@ -73,6 +70,8 @@ double log_integral(const Function& f, double a, double b, LogAt end) {
 }
 
 }  // namespace
+
+void keep_going_on_gsl_errors() { [[maybe_unused]] static const auto once = gsl_set_error_handler_off(); }
 
 double integral(const Function& f, double a, double b) {
   keep_going_on_gsl_errors();

@@ -6,6 +6,10 @@
 
 namespace ehd::verification::exact {
 
+/// By default GSL aborts the program. After this every status has to be checked instead. Never undone: the handler is
+/// one for all threads.
+void keep_going_on_gsl_errors();
+
 /// Int_a^b f dx, adaptive Gauss-Kronrod with extrapolation at end-point singularities. Error below 1e-13 |value| +
 /// 1e-15 by GSL's own estimate; NaN where that is not reached.
 [[nodiscard]] double integral(const std::function<double(double)>& f, double a, double b);

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "contact/text.hpp"
+#include "verification/exact/numerics.hpp"
 
 namespace ehd::verification::exact {
 
@@ -44,10 +45,9 @@ double SjovallIntegral::operator()(double eps) const {
       gsl_integration_workspace_alloc(intervals), gsl_integration_workspace_free);
   if (!workspace) throw std::bad_alloc();
   double value = 0, estimated = 0;
-  gsl_error_handler_t* const before = gsl_set_error_handler_off();
+  keep_going_on_gsl_errors();
   const int status =
       gsl_integration_qag(&function, 0, 1, 0, 1e-13, intervals, GSL_INTEG_GAUSS61, workspace.get(), &value, &estimated);
-  gsl_set_error_handler(before);
   // At large eps the integral is a small difference. GSL then reports round-off with a good value.
   if (status != GSL_SUCCESS && !(estimated <= 1e-12 * std::abs(value)))
     throw std::runtime_error(std::string("Sjovall integral: ") + gsl_strerror(status));

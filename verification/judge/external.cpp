@@ -101,6 +101,22 @@ std::vector<std::string> hints_of(const SubmittedResult& result, const Observabl
   return hints_for(contact_case, scales, numbers, false);
 }
 
+/// What is wrong with the words in braces: "has no {case}, has no {out}, {tol} is unknown".
+std::string faults_of(const std::string& command) {
+  std::string faults;
+  const auto add = [&faults](const std::string& fault) { faults += (faults.empty() ? "" : ", ") + fault; };
+  for (const std::string_view word : {case_word, out_word})
+    if (command.find(word) == std::string::npos) add(fmt::format("has no {}", word));
+  for (auto begin = command.find('{'); begin != std::string::npos; begin = command.find('{', begin + 1)) {
+    const auto end = command.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ", begin + 1);
+    if (end == std::string::npos || command[end] != '}' || end == begin + 1) continue;  // of the shell: ${x}, {1..3}
+    const std::string word = command.substr(begin, end + 1 - begin);
+    if (begin > 0 && command[begin - 1] == '$') continue;
+    if (word != case_word && word != out_word && word != tolerance_word) add(word + " is unknown");
+  }
+  return faults;
+}
+
 }  // namespace
 
 ExternalSolver external_from(const std::string& text) {
@@ -108,12 +124,13 @@ ExternalSolver external_from(const std::string& text) {
   const ExternalSolver made{.name = text.substr(0, equals),
                             .command = equals == std::string::npos ? "" : text.substr(equals + 1)};
   constexpr const char* letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-_";
-  if (equals == std::string::npos || made.name.empty() || made.name.find_first_not_of(letters) != std::string::npos)
-    throw std::invalid_argument("has no name; allowed is NAME='command {case} {out} {tolerance}'");
-  for (const std::string_view word : {case_word, out_word})
-    if (made.command.find(word) == std::string::npos)
-      throw std::invalid_argument("has no " + std::string(word) +
-                                  "; allowed is NAME='command {case} {out} {tolerance}'");
+  const std::string allowed = "; allowed is NAME='command {case} {out} {tolerance}'";
+  if (equals == std::string::npos || made.name.empty()) throw std::invalid_argument("has no name" + allowed);
+  if (made.name.find_first_not_of(letters) != std::string::npos)
+    throw std::invalid_argument("has a name with other characters than letters, digits, \".\", \"-\" and \"_\"" +
+                                allowed);
+  if (const std::string faults = faults_of(made.command); !faults.empty())
+    throw std::invalid_argument(faults + allowed);
   return made;
 }
 

@@ -60,7 +60,7 @@ CaseError no_such_scale(const SubmittedResult& result, const SubmittedNumber& nu
     if (scales.unit(number.quantity, other)) allowed += (allowed.empty() ? "" : ", ") + std::string(to_string(other));
   std::string message = fmt::format("scaling = {}: {} has no such scale in this case; allowed is {}",
                                     to_string(number.scaling), to_string(number.quantity), allowed);
-  if (!is_film(number.quantity)) message += "; else leave it out, or send a CSV, which has a scaling a row";
+  if (!is_film(number.quantity)) message += "; else leave it out (each row of a CSV has a scaling of its own)";
   return refusal(result.place, message);
 }
 

@@ -10,6 +10,7 @@
 #include "io/file_text.hpp"
 #include "verification/judge/csv_reader.hpp"
 #include "verification/judge/submission.hpp"
+#include "verification/median.hpp"
 
 namespace ehd::judging {
 
@@ -95,12 +96,6 @@ double log_integral(const SubmittedProfile& profile, double x) {
   return sum;
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Nodes of the film equation: under pressure, and in the halved profile too.
 std::vector<Eigen::Index> places_under_pressure(const SubmittedProfile& profile) {
   const double edge = loaded * profile.P.maxCoeff();
@@ -120,7 +115,7 @@ std::vector<double> film_residual(const SubmittedProfile& integrated, const Subm
   left.reserve(places.size());
   for (const Eigen::Index i : places)
     left.push_back(at.H[i] - at.X[i] * at.X[i] / 2 + log_integral(integrated, at.X[i]) / pi);
-  const double offset = median_of(left);
+  const double offset = verification::median(left);
   for (std::size_t k = 0; k < places.size(); ++k) left[k] = (left[k] - offset) / scale[places[k]];
   return left;
 }
@@ -215,7 +210,8 @@ bool cut_explains(const SubmittedProfile& profile, const SubmittedProfile& half,
   }
   if (outside.empty()) return true;
   const FilmLeft left = film_left(with_missing_load(profile), with_missing_load(half), scale, outside);
-  const double allowed = gate_tolerance(left.uncertainty, stated_error).value(), of_offset = median_of(unknown);
+  const double allowed = gate_tolerance(left.uncertainty, stated_error).value(),
+               of_offset = verification::median(unknown);
   for (std::size_t k = 0; k < outside.size(); ++k)
     if (!(std::abs(left.residual[k]) <= allowed + (unknown[k] + of_offset) / scale[outside[k]])) return false;
   return true;

@@ -50,7 +50,8 @@ Submission read_submission_csv(const std::filesystem::path& file) {
           {.case_id = csv.cell(id), .version = version_in(csv, version), .numbers = {}, .place = csv.place()});
     SubmittedResult& result = made.results[at->second];
     if (version_in(csv, version) != result.version)
-      throw csv.refuse(version, "differs from an earlier row of the case; allowed is one version");
+      throw csv.refuse(version, fmt::format("differs from the version {} of the case at {}; allowed is one version",
+                                            result.version, result.place));
     SubmittedNumber number{.quantity = submitted_quantity(csv.place(), csv.cell(quantity)),
                            .value = csv.number(value),
                            .scaling = submitted_scaling(csv.place(), csv.cell(scaling))};

@@ -17,7 +17,7 @@ std::vector<double> magnitudes(std::vector<double> values) {
   return values;
 }
 
-/// Three decades below the largest, or down to the stated error. A smaller difference means nothing.
+/// Five decades below the largest, at least round-off. A smaller difference means nothing.
 std::optional<double> lowest_shown(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0;
   for (const auto* values : {&a, &b}) {
@@ -25,8 +25,8 @@ std::optional<double> lowest_shown(const std::vector<double>& a, const std::vect
       if (std::isfinite(value)) largest = std::max(largest, value);
     }
   }
-  constexpr double decades = 1e-5, round_off = 1e-16;
-  return largest > 0 ? std::optional(std::max(largest * decades, round_off)) : std::nullopt;
+  constexpr double five_decades = 1e-5, round_off = 1e-16;
+  return largest > 0 ? std::optional(std::max(largest * five_decades, round_off)) : std::nullopt;
 }
 
 std::string description_of(const View& one) {

@@ -66,7 +66,7 @@ struct ContactCurves {
 [[nodiscard]] Figure contact_figure(const std::string& id, const std::string& title,
                                     const std::vector<ContactCurves>& curves);
 
-/// Pressure and film from X = -2 to 1.5 as a picture for a line of text.
+/// Pressure and film in the contact, and on a third of its width at both sides, as a picture for a line of text.
 [[nodiscard]] std::string contact_spark(const ContactCurves& curves);
 
 /// A bearing's rollers under one law.
@@ -76,7 +76,8 @@ struct BearingCurves {
   std::vector<double> force_N, displacement_m;  ///< inner contacts
 };
 enum class OverAzimuth { force, displacement };
-/// One panel: f_i or delta_i of each law over psi, from 0 to 180 degrees.
+/// One panel: f_i or delta_i of each law over psi, from 0 to 180 degrees; from -180 where one half is no mirror image
+/// of the other.
 [[nodiscard]] Panel azimuth_panel(OverAzimuth quantity, const std::string& title_markup,
                                   const std::vector<BearingCurves>& laws);
 

@@ -43,9 +43,9 @@ Range range_of(const std::vector<double>& values, Scale scale) {
   }
   if (!(low <= high)) return scale == Scale::linear ? Range{0, 1} : Range{1, 10};
   if (scale == Scale::logarithmic) {
-    // Outwards by a twentieth of the range, at least to a third of a decade in all.
+    constexpr double part_of_range = 0.04, narrow_decades = 0.3, around_narrow_decades = 0.2;
     const double from = std::log10(low), to = std::log10(high);
-    const double margin = std::max(0.04 * (to - from), to - from < 0.3 ? 0.2 : 0.0);
+    const double margin = std::max(part_of_range * (to - from), to - from < narrow_decades ? around_narrow_decades : 0);
     constexpr double last = std::numeric_limits<double>::max_exponent10 - 1;  // of a finite power of ten
     return {std::pow(10, std::max(from - margin, -last)), std::pow(10, std::min(to + margin, last))};
   }

@@ -124,7 +124,7 @@ void add_ratios(Page& page, const View& result) {
           .description =
               "Time of the first solver over that of the second, over the error that both achieve; a curve a case."};
       Panel panel;
-      panel.title = literal(name);
+      panel.title = literal(fmt::format("{}, {}", name, quantity.key));
       panel.x = {.label = quantity.label + std::string(" achieved by both"), .scale = Scale::logarithmic};
       panel.y = {.label = "ratio of times", .scale = Scale::logarithmic};
       for (std::size_t k = 0; k < cases.size(); ++k) {
@@ -196,7 +196,7 @@ std::string case_figures(Page& page, const View& bench, const std::vector<View>&
     figure.width = 360;  // three side by side
     Panel panel = precision_panel(bench, rows, id, quantity, failed);
     if (panel.series.empty()) continue;
-    panel.title = literal(id);
+    panel.title = literal(fmt::format("{}, {}", id, quantity.key));
     figure.panels.push_back(std::move(panel));
     std::string caption =
         fmt::format("<b>{}</b>, {}; truth: {}", escaped(id), escaped(quantity.key), escaped(truth.text("solver")));
@@ -204,7 +204,8 @@ std::string case_figures(Page& page, const View& bench, const std::vector<View>&
       caption += ", to " + markup_to_html(number_markup(*error, 2));
     if (failed > 0)
       caption += fmt::format("; {}{} not drawn", failed,
-                             failed == 1 ? " run did not converge and is" : " runs did not converge and are");
+                             failed == 1 ? " run did not converge or was not run, and is"
+                                         : " runs did not converge or were not run, and are");
     html += page.figure_html(std::move(figure), caption + ".");
   }
   return html;

@@ -25,8 +25,8 @@ namespace {
 using namespace reference::hp;
 using Eigen::Index;
 
-/// As in rounding_of of reference/high_order.cpp, from which that solver states its errors: ten operations on terms of
-/// size 1 + X^2/2.
+/// As in Discretiser::rounding_of of reference/hp/discretiser.cpp, by which that solver states its errors: ten
+/// operations on terms of size 1 + X^2/2.
 constexpr double operations = 10;
 /// What the solvers on equal cells iterate to, relative to the film at the exit; a film errs by at most 0.24 of that
 /// (fast/judgement.hpp).

@@ -35,9 +35,9 @@ struct StudyRow {
 /// the case as it is; viscosity over a decade about its own, at the same alpha; alpha from half to 1.75 times its own;
 /// every other density law; every other dry law in the place of `hertz`; the line fitted to delta over f;
 /// the fit from .3, 1, 2 and 4 kN (scaled to the case's own range) to its end; Palmgren met at a fifth, half and 1.2 of
-/// the fit's end, Lundberg, x_0 = R and 20 mm; the other ring turning; ehd-linear cut at delta = 0; lengths of .122 and
-/// .018 m at the same load. Last, two choices at once where one alone changes little: a thick oil, or another length,
-/// with a short x_0. `progress` hears after each row how many there are, and will be.
+/// the fit's end, Lundberg, x_0 = R_i/4, R_i and 20 mm; the other ring turning; ehd-linear cut at delta = 0; lengths of
+/// .122 and .018 m at the same load. Last, two choices at once where one alone changes little: a thick oil, or another
+/// length, with a short x_0. `progress` hears after each row how many there are, and will be.
 [[nodiscard]] std::vector<StudyRow> study_statements(
     const std::vector<Case>& cases, ContactMemory& memory,
     const std::function<void(std::size_t done, std::size_t all)>& progress = {});

@@ -14,6 +14,7 @@
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 #include "io/tables.hpp"
+#include "verification/median.hpp"
 #include "verification/studies/box.hpp"
 #include "workflow/film_table_build.hpp"
 
@@ -76,10 +77,8 @@ std::string table_beside_formulas(const FilmMaps& maps, const FilmTable& table) 
       plain(table.range.L_high), plain(100 * table.tolerance));
   std::vector<std::vector<std::string>> rows{{"film", "by", "points", "median", "largest"}};
   for (auto& [names, deviations] : deviations_of(maps, table)) {
-    std::vector<double> sorted = deviations;
-    std::sort(sorted.begin(), sorted.end());
-    rows.push_back({names.first, names.second, std::to_string(sorted.size()),
-                    percent_or_power(sorted[sorted.size() / 2]), percent_or_power(sorted.back())});
+    rows.push_back({names.first, names.second, std::to_string(deviations.size()), percent_or_power(median(deviations)),
+                    percent_or_power(*std::ranges::max_element(deviations))});
   }
   text += aligned(rows, 2, "  ");
   const double by_table = microseconds_of([&](const MoesGroups& at) { return films_at(table, at)->front().value; });

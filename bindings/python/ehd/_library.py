@@ -69,7 +69,9 @@ def library() -> ctypes.CDLL:
         except OSError as error:
             failures.append(str(error))
     else:
-        raise ImportError(f"{NAME} cannot be loaded: {'; '.join(failures)}. EHD_LIBRARY may name the file")
+        raise ImportError(
+            f"{NAME} cannot be loaded: {'; '.join(failures)}. In the source tree make library builds it; EHD_LIBRARY "
+            "may name the file")
     for function, (returns, takes) in _SIGNATURES.items():
         getattr(loaded, function).restype = returns
         getattr(loaded, function).argtypes = takes

@@ -89,6 +89,7 @@ BOOST_AUTO_TEST_CASE(limits_end_the_solve_without_numbers) {
   BOOST_TEST(!found.slow.has_value());
   BOOST_TEST(!found.highest_certified.has_value());
   BOOST_TEST((found.frequencies.at(0).status != StopReason::converged));
+  BOOST_TEST(found.cost.wall_s > 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(bad_json_is_one_line) {
   // In scaling moes the films are right; the exit alone has no such scale.
   refused(submission_with(
               R"({"case": "own-barus-5-5", "version": 1, "scaling": "moes", "film.minimum": 3, "pressure.exit": 1})"),
-          "leave it out, or send a CSV, which has a scaling a row");
+          "leave it out (each row of a CSV has a scaling of its own)");
   refused(R"({"schema": "ehd-submission-1", "solver": {"name": "a\u001b[31m"}, "results": []})", "control character");
   refused(R"({"schema": "ehd-submission-1", "solver": {"name": ")" + std::string(300, 'x') + R"("}, "results": []})",
           "is too long");
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(bad_csv_is_one_line_with_its_number) {
   refused(header + "own-barus-5-5,1,film.minimum,0.2,hertz\n\nown-barus-5-5,1,film.minimum,0.2,hertz\n",
           "bad.csv:4: quantity = film.minimum: is there twice");
   refused(header + "own-barus-5-5,1,film.minimum,0.2,hertz\nown-barus-5-5,2,film.central,0.2,hertz\n",
-          "differs from an earlier row");
+          "differs from the version 1 of the case at");
   refused(header + "\"own-barus-5-5\n\",1,film.minimum,0.2,hertz\n", "case = own-barus-5-5\\n: is no id");
   refused(header + "own-barus-5-5,1,film.minimum,\"0,2\",hertz\n", "value = 0,2: is not a number");
   refused(header + "own-barus-5-5,1,film.minimum,-1e200,hertz\n", "film.minimum = -1e200: is out of range");

@@ -28,10 +28,10 @@ Json contacts_in_motion_json(const DynamicRow& row) {
   Json json = Json::object();
   const auto add = [&](const char* prefix, const bearing::ContactMotion& contact) {
     json[std::string(prefix) + "_stiffness_N_per_m"].push_back(contact.stiffness_N_per_m);
-    json[std::string(prefix) + "_damping_N_s_per_m"].push_back(contact.damping_N_s_per_m.value_or(0));
+    json[std::string(prefix) + "_damping_N_s_per_m"].push_back(*contact.damping_N_s_per_m);
   };
   for (const bearing::RollerMotion& roller : row.rollers) {
-    if (roller.azimuth_deg < 0) continue;
+    if (roller.azimuth_deg < 0 || !roller.inner.damping_N_s_per_m || !roller.outer.damping_N_s_per_m) continue;
     json["azimuth_deg"].push_back(roller.azimuth_deg);
     add("inner", roller.inner);
     add("outer", roller.outer);
