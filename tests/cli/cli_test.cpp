@@ -287,7 +287,9 @@ BOOST_AUTO_TEST_CASE(a_wrong_command_line_is_refused) {
       {"atlas --time-limit 1",
        "--time-limit = 1: may leave fewer digits than stand in cases/atlas; allowed is another"},
       {"compare own-barus-5-5 --external 'mine=run {tol} {out}'",
-       "has no {case}, {tol} is unknown; allowed is NAME='command {case} {out} {tolerance}'"},
+       "has no {case}, {tol} is unknown, did you mean {tolerance}?; allowed is NAME='command {case} {out} "
+       "{tolerance}'"},
+      {"compare own-barus-5-5 --external \"mine=awk '{print}' {out}\"", "has no {case}; allowed is NAME="},
       {"compare own-barus-5-5 --external 'my solver=run {case} {out}'",
        "has a name with other characters than letters"},
       {"solve own-moes-5-5 --tolerance 1e-3 --nodes 64", "exclude each other"},

@@ -10,9 +10,11 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <variant>
+#include <vector>
 
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
+#include "io/near_miss.hpp"
 #include "io/output_file.hpp"
 #include "io/problem_json.hpp"
 #include "io/temporary_files.hpp"
@@ -101,18 +103,22 @@ std::vector<std::string> hints_of(const SubmittedResult& result, const Observabl
   return hints_for(contact_case, scales, numbers, false);
 }
 
-/// What is wrong with the words in braces: "has no {case}, has no {out}, {tol} is unknown".
+/// What is wrong with the words in braces: "has no {case}, has no {out}, {tol} is unknown, did you mean {tolerance}?".
+/// A word that resembles none of them is the shell's or another program's: awk '{print}'.
 std::string faults_of(const std::string& command) {
   std::string faults;
   const auto add = [&faults](const std::string& fault) { faults += (faults.empty() ? "" : ", ") + fault; };
-  for (const std::string_view word : {case_word, out_word})
-    if (command.find(word) == std::string::npos) add(fmt::format("has no {}", word));
+  const std::vector<std::string> words{std::string(case_word), std::string(out_word), std::string(tolerance_word)};
+  for (const std::string& word : {words[0], words[1]})
+    if (command.find(word) == std::string::npos) add("has no " + word);
   for (auto begin = command.find('{'); begin != std::string::npos; begin = command.find('{', begin + 1)) {
-    const auto end = command.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ", begin + 1);
-    if (end == std::string::npos || command[end] != '}' || end == begin + 1) continue;  // of the shell: ${x}, {1..3}
+    const auto end = command.find('}', begin);
+    if (end == std::string::npos) break;
     const std::string word = command.substr(begin, end + 1 - begin);
-    if (begin > 0 && command[begin - 1] == '$') continue;
-    if (word != case_word && word != out_word && word != tolerance_word) add(word + " is unknown");
+    constexpr std::size_t shortest = 5;  // {tol}, {cas}
+    if (word.size() < shortest || std::ranges::find(words, word) != words.end()) continue;
+    const std::string meant = near_miss(word.substr(0, word.size() - 1), words);  // "{tol" begins "{tolerance}"
+    if (!meant.empty()) add(fmt::format("{} is unknown, did you mean {}?", word, meant));
   }
   return faults;
 }
