@@ -46,7 +46,8 @@ void set_last_error(const std::string& line);
 /// Throws BadArgument for a null pointer.
 void require_pointer(const void* pointer, const char* name);
 void require_in(const char* name, double value, const Interval& allowed);
-/// Refuses a name: "argument = name: fault". `fault`: "is unknown; allowed is …". io/near_miss.hpp words it for names.
+/// Refuses a name: "argument = name: fault". The fault, such as "is unknown; allowed is a, b", is worded by
+/// io/near_miss.hpp.
 [[nodiscard]] BadArgument unknown_name(const char* argument, const char* name, const std::string& fault);
 /// A tolerance of the films.
 void require_tolerance(double tolerance);
