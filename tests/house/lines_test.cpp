@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scripts, C, Makefile, CMake files and CI steps have lines of at most 120 columns. clang-format holds those of C++.
-// README.md has at most 120 lines.
+// README.md has at most 120 lines. No program that a compiler made lies among the sources.
 #include <algorithm>
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -27,9 +29,38 @@ std::vector<int> wide_lines(std::istream& text) {
   return found;
 }
 
+const std::filesystem::path top(EHD_SOURCE_DIR);
+constexpr std::array folders{".ci",      "bearing", "bindings", "cases",     "cli",   "cmake",        "contact", "docs",
+                             "examples", "fast",    "io",       "reference", "tests", "verification", "workflow"};
+
+/// Does it begin as programs and objects of this machine do?
+bool is_compiled(const std::filesystem::path& file) {
+  std::ifstream text(file, std::ios::binary);
+  std::array<char, 4> begin{};
+  text.read(begin.data(), begin.size());
+  return text && std::string_view(begin.data(), begin.size()) ==
+                     "\x7f"
+                     "ELF";
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(lines)
+
+BOOST_AUTO_TEST_CASE(no_compiled_program_is_committed) {
+  int files = 0;
+  const auto read = [&](const std::filesystem::directory_entry& entry) {
+    if (!entry.is_regular_file()) return;
+    ++files;
+    if (is_compiled(entry.path()))
+      BOOST_ERROR(std::filesystem::relative(entry.path(), top).string() << ": a compiled program among the sources");
+  };
+  BOOST_TEST(is_compiled("/proc/self/exe"));
+  for (const auto& entry : std::filesystem::directory_iterator(top)) read(entry);
+  for (const char* folder : folders)
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(top / folder)) read(entry);
+  BOOST_CHECK_MESSAGE(files >= 1000, files << " files: were the folders read?");
+}
 
 BOOST_AUTO_TEST_CASE(a_wide_line_is_found) {
   std::istringstream text("short\n" + std::string(120, 'a') + "\n" + std::string(121, 'a') + "\n" +
@@ -40,7 +71,6 @@ BOOST_AUTO_TEST_CASE(a_wide_line_is_found) {
 BOOST_AUTO_TEST_CASE(no_script_has_one) {
   const std::set<std::string> endings{".py", ".sh", ".c", ".m", ".f90", ".cmake"},
       names{"CMakeLists.txt", "steps.toml"};
-  const std::filesystem::path top(EHD_SOURCE_DIR);
   int files = 0;
   const auto read = [&](const std::filesystem::path& file) {
     ++files;
@@ -49,8 +79,7 @@ BOOST_AUTO_TEST_CASE(no_script_has_one) {
       BOOST_ERROR(std::filesystem::relative(file, top).string() << ":" << line << ": wider than 120 columns");
   };
   for (const char* file : {"Makefile", "CMakeLists.txt"}) read(top / file);
-  for (const char* folder : {".ci", "bearing", "bindings", "cases", "cli", "cmake", "contact", "docs", "examples",
-                             "fast", "io", "reference", "tests", "verification", "workflow"})
+  for (const char* folder : folders)
     for (const auto& entry : std::filesystem::recursive_directory_iterator(top / folder))
       if (endings.contains(entry.path().extension().string()) || names.contains(entry.path().filename().string()))
         read(entry.path());
@@ -59,7 +88,7 @@ BOOST_AUTO_TEST_CASE(no_script_has_one) {
 
 BOOST_AUTO_TEST_CASE(the_root_readme_stays_short) {
   constexpr int most = 120;
-  std::ifstream text(std::filesystem::path(EHD_SOURCE_DIR) / "README.md");
+  std::ifstream text(top / "README.md");
   int lines = 0;
   for (std::string line; std::getline(text, line);) ++lines;
   BOOST_CHECK_MESSAGE(lines > 0, "README.md was not read");
