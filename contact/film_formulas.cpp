@@ -18,6 +18,8 @@ double moes_film_formula(const MoesGroups& moes) {
   return std::pow(isoviscous + piezoviscous, 1 / s);
 }
 
+double expected_film(const MoesGroups& moes) { return moes_film_formula(moes) / moes_film_per_hertz_film(moes.M); }
+
 std::vector<FilmFormula> film_formulas(const MoesGroups& moes, double G) {
   std::vector<FilmFormula> formulas{{"Moes (Venner 1991)", Quantity::film_couette, moes_film_formula(moes)}};
   if (!(moes.L > 0) || !(G > 0)) return formulas;

@@ -22,6 +22,8 @@ struct FilmFormula {
 
 /// Moes' interpolation (as in Venner 1991) of the four asymptotes; for the central (Couette) film, sum speed.
 [[nodiscard]] double moes_film_formula(const MoesGroups& moes);
+/// The same in Hertz units: the film that solvers expect. Starts use it; no result does.
+[[nodiscard]] double expected_film(const MoesGroups& moes);
 
 /// Every formula that the groups allow. The power laws of U, W, G need G = alpha E'; a caller that does not know G
 /// assumes one.

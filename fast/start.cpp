@@ -7,7 +7,6 @@
 
 #include "contact/film_formulas.hpp"
 #include "contact/hertz.hpp"
-#include "contact/nondimensional.hpp"
 
 namespace ehd::fast {
 
@@ -19,7 +18,7 @@ Lengths lengths_from_film(double film) {
 }
 
 Lengths expected_lengths(const Groups& groups) {
-  return lengths_from_film(moes_film_formula({.M = groups.M, .L = groups.L}) / moes_film_per_hertz_film(groups.M));
+  return lengths_from_film(expected_film({.M = groups.M, .L = groups.L}));
 }
 
 namespace {

@@ -11,6 +11,7 @@
 #include "contact/text.hpp"
 #include "reference/hp/discretiser.hpp"
 #include "reference/hp/error_report.hpp"
+#include "reference/lengths.hpp"
 
 namespace ehd::reference {
 
@@ -19,8 +20,6 @@ namespace {
 using namespace hp;
 using Clock = std::chrono::steady_clock;
 
-/// Fewer intervals than this in the inlet zone cannot see it.
-constexpr double fewest_inlet_cells = 1.5;
 /// Tolerance where a request states none: that of the solution that lays out a given number of intervals.
 constexpr double layout_tolerance = 1e-6;
 /// Below this working tolerance meshes would resolve rounding.
@@ -35,24 +34,13 @@ constexpr double next_working = 0.01;
 constexpr double hopeless_reduction = 0.7;
 /// ... unless the error is larger than this. The floor is then too high, and finer meshes may reach a lower one.
 constexpr double unknown = 0.5;
-/// A request's iterations are those of meshes with a thousand nodes; most meshes here have a hundred.
-constexpr long iterations_per_request = 10;
-constexpr double longest_time_s = 1e8;
-
-double inlet_cells(const Fields& fields, double film) {
-  const double l = std::max(1.0, std::sqrt(2 * film)), zone = l * std::pow(std::min(film, 1.0), 2.0 / 3);
-  const Eigen::Index right = std::lower_bound(fields.X.begin(), fields.X.end(), -l) - fields.X.begin();
-  const Eigen::Index i = std::clamp<Eigen::Index>(right, 1, fields.X.size() - 1);
-  return zone / (fields.X[i] - fields.X[i - 1]);
-}
-
 GridRecord record_of(const Discretised& of) {
   GridRecord grid;
   grid.nodes = of.last().equations->intervals();
   grid.newton_iterations = of.last().run.iterations;
   grid.residual = of.last().run.residual;
   grid.observed = of.seen;
-  grid.inlet_cells = inlet_cells(of.fields, of.last().run.state.flux);
+  grid.inlet_cells = inlet_cells(of.fields.X, of.last().run.state.flux);
   return grid;
 }
 
@@ -60,18 +48,13 @@ GridRecord record_of(const Discretised& of) {
 class Solve {
  public:
   Solve(const Problem& problem, const Request& request)
-      : problem_(problem), discretiser_(problem, meter_for(request, begin_)) {}
+      : problem_(problem), discretiser_(problem, meter_of(request.max_iterations, request.time_limit_s, begin_)) {}
 
   [[nodiscard]] Solution on_intervals(int intervals, double layout);
   [[nodiscard]] Solution within(const FilmTolerances& asked);
   [[nodiscard]] Solution finished(Solution solution, StopReason status, std::string reason) const;
 
  private:
-  static Meter meter_for(const Request& request, Clock::time_point begin) {
-    const std::chrono::duration<double> limit(std::min(request.time_limit_s, longest_time_s));
-    return {.iterations_left = request.max_iterations * iterations_per_request,
-            .end = begin + std::chrono::duration_cast<Clock::duration>(limit)};
-  }
   /// As finished(), but limits that ran out are the reason.
   [[nodiscard]] Solution ended(Solution solution, StopReason status, const std::string& reason) const {
     if (discretiser_.meter().spent())

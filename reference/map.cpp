@@ -10,16 +10,14 @@ namespace {
 
 // Shape of the map; map.hpp has the formula. Measured on grids of 400 intervals: other bump weights and widths move the
 // error by a factor of two either way. The wedge matters (map.hpp).
-constexpr double contact_width = 0.7;         // of the crowding in the contact, over l
-constexpr double bump_reach = 3;              // beyond this times l a bump adds no nodes
-constexpr double inlet_weight = 3;            // of the crowding before the inlet zone
-constexpr double inlet_spread = 2;            // its width, over that of the inlet zone
-constexpr double wedge = -0.5;                // the wedge's k far behind the contact; 0.5 before it
-constexpr double wedge_steepness = 4;         // of its change at X = 0, per l
-constexpr double exit_per_inlet_zone = 0.45;  // first guess of X* - 1 and of 1 - X_sp, over d
-constexpr double exit_per_length = 0.5;       // first guess of X* of a light load, over l
-constexpr double first_spike_width = 0.5;     // first guess, over d l
-constexpr double least_spike_width = 0.02;    // of a fitted map, over d l
+constexpr double contact_width = 0.7;       // of the crowding in the contact, over l
+constexpr double bump_reach = 3;            // beyond this times l a bump adds no nodes
+constexpr double inlet_weight = 3;          // of the crowding before the inlet zone
+constexpr double inlet_spread = 2;          // its width, over that of the inlet zone
+constexpr double wedge = -0.5;              // the wedge's k far behind the contact; 0.5 before it
+constexpr double wedge_steepness = 4;       // of its change at X = 0, per l
+constexpr double first_spike_width = 0.5;   // first guess, over d l
+constexpr double least_spike_width = 0.02;  // of a fitted map, over d l
 constexpr int bisections = 60;
 
 }  // namespace
@@ -53,7 +51,8 @@ Grid GradedMap::grid(int intervals) const {
 
 GradedMap first_map(double inlet, double central_film) {
   const double d = inlet_zone(central_film), l = contact_length(central_film);
-  const double exit = std::max(1 + exit_per_inlet_zone * d, exit_per_length * l);
+  // The spike stands as far inside X = 1 as the exit stands outside.
+  const double exit = std::max(1 + exit_per_inlet_zone * d, exit_per_film_length * l);
   return {.inlet = inlet,
           .exit = exit,
           .length = l,

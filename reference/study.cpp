@@ -9,7 +9,6 @@
 #include "contact/film_formulas.hpp"
 #include "contact/interruption.hpp"
 #include "contact/known_pressures.hpp"
-#include "contact/nondimensional.hpp"
 #include "contact/observables.hpp"
 #include "contact/stated_error.hpp"
 #include "contact/text.hpp"
@@ -21,12 +20,8 @@ namespace {
 using Eigen::Index;
 
 constexpr double formal_order = 2;
-/// Starts from scratch: central films over the expected one.
-constexpr double start_films[] = {1.0, 2.0, 0.5, 4.0};
 /// Hertz' pressure is a start below the first film, the rigid gap's above the second.
 constexpr double thinnest_rigid_film = 0.1, thickest_hertz_film = 5;
-/// X* of Hertz' start is 1 plus this times the width of the inlet zone.
-constexpr double exit_per_inlet_zone = 0.45;
 /// Run time grows as n^3: a grid with twice the intervals takes 8 times as long.
 constexpr double time_of_doubled_grid = 8;
 /// The truncation is measured by cutting the domain at X_a/8 or at -50 l, whichever is nearer to the contact.
@@ -109,16 +104,6 @@ std::pair<Grid, State> cut(const Level& level, Index first) {
 
 }  // namespace
 
-double contact_length(double central_film) { return std::max(1.0, std::sqrt(2 * std::max(central_film, 0.0))); }
-double inlet_zone(double central_film) { return std::pow(std::clamp(central_film, 0.0, 1.0), 2.0 / 3); }
-
-double inlet_cells(const Array& nodes, double central_film) {
-  const double l = contact_length(central_film);
-  const Index right = std::lower_bound(nodes.begin(), nodes.end(), -l) - nodes.begin();
-  const Index i = std::clamp<Index>(right, 1, nodes.size() - 1);
-  return l * inlet_zone(central_film) / (nodes[i] - nodes[i - 1]);
-}
-
 double Level::cells_in_inlet_zone() const { return inlet_cells(at.X, central_film()); }
 
 Study::Study(const Problem& problem, const Request& request)
@@ -127,8 +112,7 @@ Study::Study(const Problem& problem, const Request& request)
       budget_{.newton_iterations = request.max_iterations,
               .end = begin_ + std::chrono::duration_cast<Clock::duration>(
                                   std::chrono::duration<double>(std::min(request.time_limit_s, longest_time_s)))},
-      expected_film_(moes_film_formula({problem.groups.M, problem.groups.L}) /
-                     moes_film_per_hertz_film(problem.groups.M)) {}
+      expected_film_(ehd::expected_film({problem.groups.M, problem.groups.L})) {}
 
 std::optional<Level> Study::attempt(const Equations& equations, const State& start) {
   NewtonResult run = newton(equations, start, budget_);

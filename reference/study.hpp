@@ -9,6 +9,7 @@
 
 #include "contact/solver.hpp"
 #include "reference/grid_newton.hpp"
+#include "reference/lengths.hpp"
 
 namespace ehd::reference {
 
@@ -24,16 +25,6 @@ struct Level {
   [[nodiscard]] double cells_in_inlet_zone() const;  ///< by its own film
 };
 
-/// l = max(1, sqrt(2 H)): the length that counts, Hertz' half-width or the film's own at light loads.
-[[nodiscard]] double contact_length(double central_film);
-/// Width of the inlet zone in units of l: min(H, 1)^(2/3).
-[[nodiscard]] double inlet_zone(double central_film);
-/// X_a of a flooded domain in units of l; the truncation that is left is below 1e-6 of the film (README.md, section 5).
-inline constexpr double farthest_inlet = -4000;
-
-/// Cells of a grid in the inlet zone of a film: the zone begins at X = -l and is l min(H_cen, 1)^(2/3) wide.
-[[nodiscard]] double inlet_cells(const Array& nodes, double central_film);
-
 /// The error of each observable (relative; offset and approach absolute) because the domain begins at `inlet`.
 struct Truncation {
   double inlet = 0;
@@ -46,14 +37,11 @@ struct Judged {
   double error = 0;  ///< relative
 };
 
-/// Fewer cells than this in the inlet zone cannot see it.
-inline constexpr double fewest_inlet_cells = 1.5;
-
 class Study {
  public:
   Study(const Problem& problem, const Request& request);
 
-  /// Central film by Moes' formula. Starts use it; no result does.
+  /// Central film by Moes' formula (contact/film_formulas.hpp).
   [[nodiscard]] double expected_film() const { return expected_film_; }
   /// Solves from scratch: Hertz' or Martin's pressure with the expected film; if `insist`, also with 2, 1/2, 4 times
   /// it.

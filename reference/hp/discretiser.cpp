@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "contact/film_formulas.hpp"
-#include "contact/nondimensional.hpp"
 #include "contact/observables.hpp"
+#include "reference/lengths.hpp"
 
 namespace ehd::reference::hp {
 
@@ -25,18 +25,13 @@ constexpr double second_shift = 0.37, second_inlet_part = 0.5;
 
 /// Where the start tries: floors of the fluidity, films over the expected one.
 constexpr double start_floors[] = {1e-2, 1e-1, 1.0};
-constexpr double start_films[] = {1.0, 2.0, 0.5, 4.0};
 /// Expected films above this one try the rigid gap's pressure before Hertz'.
 constexpr double thick_film = 0.5;
-/// X* of the start: 1 + this times the inlet zone's width over l, and at least this times sqrt(2 H) for thick films.
-constexpr double exit_per_inlet_zone = 0.45, exit_per_film_length = 0.5;
 
 /// A film that would still move by this part of the tolerance has settled.
 constexpr double settled_part = 0.2;
 /// Resolution of a spike whose height is read.
 constexpr double finest_spike = 1e-8;
-/// A floor to extrapolate from is this many times the one below it.
-constexpr double floor_ratio = 3;
 
 /// Newton's method: iterations, and the step at which it ends.
 constexpr NewtonLimits start_newton{.iterations = 40, .step = 1e-4};
@@ -78,9 +73,9 @@ Scheme second_to(const Scheme& scheme) {
 Discretiser::Discretiser(const Problem& problem, const Meter& meter)
     : problem_(problem), wanted_(problem.wanted), meter_(meter) {
   wanted_.insert({Quantity::film_minimum, Quantity::film_central});
-  film_ = moes_film_formula({problem.groups.M, problem.groups.L}) / moes_film_per_hertz_film(problem.groups.M);
-  length_ = std::max(1.0, std::sqrt(2 * film_));
-  inlet_zone_ = length_ * std::pow(std::min(film_, 1.0), 2.0 / 3);
+  film_ = expected_film({problem.groups.M, problem.groups.L});
+  length_ = contact_length(film_);
+  inlet_zone_ = length_ * inlet_zone(film_);
   const auto* truncated = std::get_if<TruncatedAt>(&problem.inlet);
   flooded_ = !truncated;
   inlet_ = truncated ? truncated->x : flooded_inlet * length_;

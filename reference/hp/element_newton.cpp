@@ -35,6 +35,10 @@ constexpr double pressure_at_rest = 1e-5;
 constexpr double smallest_divisor = 1e-300;
 /// Two domains whose stretchings differ by less are cut from one another and share their xi.
 constexpr double same_stretching = 1e-13;
+/// Iterations here for one that a request allows.
+constexpr long iterations_per_request = 10;
+/// Longer limits do not fit into the clock's numbers.
+constexpr double longest_time_s = 1e8;
 
 State<double> moved(const State<double>& state, const VectorOf<double>& change, double step) {
   const auto n = change.size() - 3;
@@ -58,6 +62,12 @@ double allowed_step(const State<double>& state, const VectorOf<double>& change, 
 }
 
 }  // namespace
+
+Meter meter_of(int max_iterations, double time_limit_s, std::chrono::steady_clock::time_point begin) {
+  const std::chrono::duration<double> limit(std::min(time_limit_s, longest_time_s));
+  return {.iterations_left = max_iterations * iterations_per_request,
+          .end = begin + std::chrono::duration_cast<std::chrono::steady_clock::duration>(limit)};
+}
 
 NewtonRun newton(const Collocation<double>& equations, const State<double>& start, double floor,
                  const NewtonLimits& limits, Meter& meter) {

@@ -23,6 +23,9 @@ struct Meter {
     return iterations_left <= 0 || std::chrono::steady_clock::now() >= end || interrupted();
   }
 };
+/// The limits of a request that began at `begin`. Its iterations are those of meshes with a thousand nodes; most meshes
+/// here have a hundred, so that ten times as many are allowed.
+[[nodiscard]] Meter meter_of(int max_iterations, double time_limit_s, std::chrono::steady_clock::time_point begin);
 
 struct NewtonLimits {
   int iterations = 25;

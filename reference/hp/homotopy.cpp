@@ -27,8 +27,6 @@ constexpr double factor_growth = 10;
 /// A step that fails takes the square root of the factor. Each step that succeeds after it raises the factor to this
 /// power. A failure costs as much as four successes, so that the factor must grow slowly.
 constexpr double power_after_a_failure = 1.25;
-/// Floors to extrapolate from are this many times apart.
-constexpr double floor_ratio = 3;
 /// Rounding of a balance in units of the machine's epsilon and of its terms.
 constexpr double rounding_units = 10;
 

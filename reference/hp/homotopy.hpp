@@ -48,8 +48,9 @@ struct HomotopyLimits {
 [[nodiscard]] std::vector<Resolved> descent(const Problem& problem, const Resolved& top, const Resolution& resolution,
                                             const HomotopyLimits& limits, Meter& meter);
 
-/// Indices of the floors to extrapolate from: the last one, and upwards each that is at least three times the one
-/// before. Closer floors would amplify the noise of their meshes.
+/// Floors to extrapolate from are this many times apart. Closer ones would amplify the noise of their meshes.
+inline constexpr double floor_ratio = 3;
+/// Their indices: the last floor, and upwards each that is far enough from the one before.
 [[nodiscard]] std::vector<std::size_t> floors_apart(const std::vector<Resolved>& floors);
 /// Relative change of the flux that is left between the last floor and floor 0; the flux is linear in a small floor. 0
 /// where the descent reached 0, infinite where no two floors are apart.

@@ -40,7 +40,6 @@ constexpr int most_intervals = 2000;
 constexpr int most_refinements = 20;
 constexpr double shortest_element = 4e-15;  // in xi, as in HomotopyLimits
 constexpr NewtonLimits refined_newton{.iterations = 20, .step = 1e-9};
-constexpr long iterations_per_request = 10;  // as in high_order.cpp
 
 /// A number as both discretisations have it.
 struct Twice {
@@ -66,16 +65,11 @@ std::optional<DiscretisedTwice> from_the_top(Discretiser& discretiser, double wo
 class ResponseSolve {
  public:
   ResponseSolve(const Problem& problem, const ResponseRequest& request)
-      : problem_(problem),
-        request_(request),
-        meter_{.iterations_left = request.max_iterations * iterations_per_request,
-               .end = begin_ + std::chrono::duration_cast<Clock::duration>(
-                                   std::chrono::duration<double>(std::min(request.time_limit_s, longest_time_s)))} {}
+      : problem_(problem), request_(request), meter_(meter_of(request.max_iterations, request.time_limit_s, begin_)) {}
 
   [[nodiscard]] Response solve();
 
  private:
-  static constexpr double longest_time_s = 1e8;
   struct Judged {
     Complex value;
     double error = std::numeric_limits<double>::infinity();

@@ -27,8 +27,7 @@ constexpr double truth_share = 0.3;
 constexpr double mild_L = 15;
 
 double cut_beyond_the_film(const MoesGroups& moes) {
-  const double film = moes_film_formula(moes) / moes_film_per_hertz_film(moes.M);
-  return -std::max(4.0, cut_in_film_lengths * std::sqrt(2 * film));
+  return -std::max(4.0, cut_in_film_lengths * std::sqrt(2 * expected_film(moes)));
 }
 
 std::string inlet_name(const BoxContact& contact) { return contact.flooded() ? "flooded" : "cut"; }

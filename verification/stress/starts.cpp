@@ -80,10 +80,6 @@ Start drawn(Draw& draw, const std::string& family, double film) {
   return start;
 }
 
-double expected_film(const Problem& problem) {
-  return moes_film_formula({.M = problem.groups.M, .L = problem.groups.L}) / moes_film_per_hertz_film(problem.groups.M);
-}
-
 double largest_difference(const Array& film, const Array& truth) {
   return (film / truth - 1).abs().maxCoeff<Eigen::PropagateNaN>();
 }
@@ -110,7 +106,7 @@ Level of_reference_uniform(const Problem& problem) {
   const auto budget = [] {
     return reference::Budget{.newton_iterations = 1000, .end = Clock::now() + std::chrono::seconds(time_limit_s)};
   };
-  const double film = expected_film(problem);
+  const double film = expected_film({problem.groups.M, problem.groups.L});
   auto own = reference::newton(
       *equations, reference::hertz_start(*equations, film, 1 + 0.45 * std::pow(std::min(film, 1.0), 2.0 / 3)),
       budget());
@@ -154,7 +150,7 @@ Level of_fast_uniform(const Problem& problem) {
     return result.end == fast::NewtonEnd::converged && state.P.minCoeff() >= -1e-3 &&
            at.density.value[at.n] * at.H[at.n] >= at.density.value[at.n - 1] * at.H[at.n - 1];
   };
-  const double film = expected_film(problem);
+  const double film = expected_film({problem.groups.M, problem.groups.L});
   Array truth;
   for (const auto shape : {fast::likely_shape(film), fast::Shape::hertz, fast::Shape::martin}) {
     fast::State state = fast::first_iterate(setting, shape, film, kept->workspace.grids.of(intervals));
@@ -181,7 +177,7 @@ Level of_fast_uniform(const Problem& problem) {
 Level of_reference(const Problem& problem) {
   using namespace reference::hp;
   constexpr double floor = 1e-2, step = 1e-10;
-  const double film = expected_film(problem), l = std::max(1.0, std::sqrt(2 * film)),
+  const double film = expected_film({problem.groups.M, problem.groups.L}), l = std::max(1.0, std::sqrt(2 * film)),
                zone = l * std::pow(std::min(film, 1.0), 2.0 / 3);
   const double exit = std::max(1 + 0.45 * zone / l, 0.5 * std::sqrt(2 * film));
   const auto equations = std::make_shared<const Collocation<double>>(
@@ -260,7 +256,8 @@ std::vector<StartRow> run_starts(const Scope& scope) {
     if (level.own_solved) row.tolerance = level.tolerance;
     Draw draw(seed + static_cast<unsigned>(family_at));  // the same starts for every level
     for (int i = 0; i < starts; ++i) {
-      const Outcome outcome = level.attempt(drawn(draw, row.family, expected_film(problem)));
+      const Outcome outcome =
+          level.attempt(drawn(draw, row.family, expected_film({problem.groups.M, problem.groups.L})));
       ++row.starts;
       if (!outcome.solved) continue;
       ++row.converged;
