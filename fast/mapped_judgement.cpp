@@ -61,7 +61,9 @@ constexpr double thick_film = 10;
 /// Rolling force: the work at a spike does not converge as the films do. So its error, which is at least the films'
 /// share, is multiplied by this factor. On two grids that both miss the spike the work is nearly the same. Of 3114
 /// errors on 128 to 4000 intervals (M of 0.05..5000, L of 0.5..30, three laws, flooded and cut) 4 are too small, by a
-/// factor of 2.5 at most. With 3, and without the films' share, 40 were, by 6.4 at most.
+/// factor of 2.5 at most. With 3, and without the films' share, 40 were, by 6.4 at most. Beyond calibrated_M or
+/// calibrated_L it is doubled as the films' error is: at M of 1e4..1e5 with a cut of -1.1..-4 two of some 500 errors
+/// were too small by 1.3 and 1.7.
 constexpr double work_safety = 6;
 /// From this number of grids on each film has an error rule of its own.
 constexpr std::size_t fewest_for_own_rule = 3;
@@ -143,8 +145,8 @@ double film_discretisation(const MappedClimb& climb, Quantity film, const Proble
 }
 
 /// The error of one quantity. `of_films`: relative, the least error of every quantity but the spike; `film`: H_cen.
-ErrorBudget budget_of(const MappedClimb& climb, Quantity quantity, const std::optional<Limit>& limit, double of_films,
-                      double film) {
+ErrorBudget budget_of(const MappedClimb& climb, const Groups& groups, Quantity quantity,
+                      const std::optional<Limit>& limit, double of_films, double film) {
   if (quantity == Quantity::film_minimum) return climb.film_minimum;
   if (quantity == Quantity::film_central) return climb.film_central;
   const bool absolute = has_absolute_error(quantity);
@@ -156,7 +158,7 @@ ErrorBudget budget_of(const MappedClimb& climb, Quantity quantity, const std::op
   // The exit and the pressure maximum move as the films do; the spike has a rule of its own.
   if (quantity != Quantity::pressure_spike) budget.discretisation = std::max(budget.discretisation, of_films * scale);
   if (quantity == Quantity::rolling_force) {
-    budget.discretisation *= work_safety;
+    budget.discretisation *= work_safety * (is_calibrated(groups) ? 1 : uncalibrated_safety);
     budget.truncation *= truncation_of_work;
   }
   if (absolute) budget.truncation *= truncation_of_offset;
@@ -199,7 +201,7 @@ void judge(const MappedClimb& climb, const Problem& problem, Solution& solution)
     if (is_self_check(quantity)) continue;
     const auto limit = limit_on(climb.grids, quantity);
     if (grids > 1 && limit) reading.value = limit->value;
-    reading.error = budget_of(climb, quantity, limit, of_films, central ? central->value : 1).total();
+    reading.error = budget_of(climb, problem.groups, quantity, limit, of_films, central ? central->value : 1).total();
     if (!std::isfinite(*reading.error)) reading.error.reset();
   }
   keep_known_pressures(observables, problem.wanted, climb.fields, grids, problem.groups.L, record.notes);

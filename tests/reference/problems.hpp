@@ -7,6 +7,7 @@
 
 #include "contact/nondimensional.hpp"
 #include "contact/solver.hpp"
+#include "tests/check.hpp"
 
 namespace ehd::testing {
 
@@ -35,6 +36,14 @@ inline Problem barus_problem(double M, double L, Inlet inlet) {
 
 [[nodiscard]] inline double value(const Solution& solution, Quantity quantity) {
   return solution.observables.at(quantity).value;
+}
+/// A number is within the error that the solution states for it. `truth`: with at least two digits more.
+inline void check_stated(const Solution& solution, Quantity quantity, double truth) {
+  const Reading& reading = solution.observables.at(quantity);
+  const double unit = has_absolute_error(quantity) ? 1 : std::abs(truth);
+  BOOST_TEST_CONTEXT(to_string(quantity))
+  EHD_CHECK(std::abs(reading.value - truth) / unit,
+            verification::Tolerance::required(reading.error.value(), "it is stated"));
 }
 [[nodiscard]] inline double stated_error(const Solution& solution, Quantity quantity) {
   return solution.observables.at(quantity).error.value();

@@ -27,6 +27,13 @@ void check_stated_errors(const Solution& solution, const Truth& truth) {
 
 BOOST_AUTO_TEST_SUITE(uniform)
 
+// Two grids agreed on X* to 1.2e-4. Truth: reference to 1e-12.
+BOOST_AUTO_TEST_CASE(an_exit_on_which_two_grids_agree_by_chance_has_an_error_that_holds) {
+  const Solution solution = Uniform{}.solve(barus_problem(45.1193, 0, TruncatedAt{-7.4604}), on_nodes(200));
+  BOOST_REQUIRE(solution.record.status == StopReason::under_resolved);
+  check_stated(solution, Quantity::pressure_exit, 1.0115102756);
+}
+
 BOOST_AUTO_TEST_CASE(films_of_one_grid_are_within_their_stated_error) {
   const Solution mild = Uniform{}.solve(roelands_problem(5, 5, TruncatedAt{-4}), on_nodes(512));
   BOOST_REQUIRE(mild.record.status == StopReason::converged);
