@@ -9,7 +9,7 @@ namespace ehd::fast {
 
 namespace {
 
-/// Calibrated as extrapolation.hpp says: bars of three grids; the ratios of moves that count as regular (8 for smooth
+/// Calibrated as docs/fast-errors.md says: bars of three grids; the ratios of moves that count as regular (8 for smooth
 /// solutions); bars of regular and of irregular sequences; how much less each move further back counts.
 constexpr double of_three = 1.6, of_plain_move = 3;
 constexpr double least_ratio = 6, largest_ratio = 11;

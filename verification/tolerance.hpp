@@ -46,6 +46,9 @@ class Tolerance {
     return {value, "required", std::move(where)};
   }
 
+  /// What a solver states. For a ratio to what it states: 1.
+  [[nodiscard]] static Tolerance stated(double error = 1) { return required(error, "an error bar covers the error"); }
+
   /// Two reasons that act together.
   [[nodiscard]] friend Tolerance operator+(const Tolerance& one, const Tolerance& other) {
     return {one.value_ + other.value_, one.basis_ == other.basis_ ? one.basis_ : one.basis_ + " + " + other.basis_,

@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(errors_of_contacts_become_the_error_of_the_ring) {
   const double stiffness = moved.stiffness_N_per_m[0][0] / ring.stiffness_N_per_m[0][0] - 1;
   const double damping = std::abs((*moved.damping_N_s_per_m)[0][0] / (*ring.damping_N_s_per_m)[0][0] - 1);
   EHD_CHECK(error(ring.error, stiffness), Tolerance::asymptotic(0.01, "the squares of errors of 1e-3"));
-  EHD_CHECK(damping / *ring.damping_error, Tolerance::required(1, "an error bar covers the error"));
+  EHD_CHECK(damping / *ring.damping_error, Tolerance::stated());
 }
 
 // Invariant: the datum's compliance has no damping, and a longer datum softens.

@@ -42,8 +42,7 @@ inline void check_stated(const Solution& solution, Quantity quantity, double tru
   const Reading& reading = solution.observables.at(quantity);
   const double unit = has_absolute_error(quantity) ? 1 : std::abs(truth);
   BOOST_TEST_CONTEXT(to_string(quantity))
-  EHD_CHECK(std::abs(reading.value - truth) / unit,
-            verification::Tolerance::required(reading.error.value(), "it is stated"));
+  EHD_CHECK(std::abs(reading.value - truth) / unit, verification::Tolerance::stated(reading.error.value()));
 }
 [[nodiscard]] inline double stated_error(const Solution& solution, Quantity quantity) {
   return solution.observables.at(quantity).error.value();

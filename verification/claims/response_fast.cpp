@@ -75,7 +75,7 @@ Findings judge_both_solvers(MoesGroups moes, const Inlet& inlet) {
   Findings findings;
   findings.claims.push_back(
       claim(fast_says("agreement/" + name, 8, "fast and reference agree on kappa and wavy films within stated errors"),
-            apart.worst(), 0, Tolerance::required(1, "an error bar covers the error"),
+            apart.worst(), 0, Tolerance::stated(),
             fmt::format("difference/stated at 1e-4, n = {}: {}", found.cost.nodes, apart.note())));
   const auto known = [](const auto& at) { return at.status == StopReason::converged; };
   findings.claims.push_back(
@@ -95,10 +95,10 @@ Findings judge_waves_of_far_inlet(MoesGroups moes) {
   Apart apart;
   compare_all({.waviness = found.waviness}, truth, apart);
   Findings findings;
-  findings.claims.push_back(claim(
-      fast_says("waviness/far-inlet/" + contact_name(moes, Flooded{}), 8,
-                "fast and reference agree on wavy films of a thick inlet to 1e-6, within stated errors"),
-      apart.worst(), 0, Tolerance::required(1, "an error bar covers the error"), "difference/stated: " + apart.note()));
+  findings.claims.push_back(
+      claim(fast_says("waviness/far-inlet/" + contact_name(moes, Flooded{}), 8,
+                      "fast and reference agree on wavy films of a thick inlet to 1e-6, within stated errors"),
+            apart.worst(), 0, Tolerance::stated(), "difference/stated: " + apart.note()));
   return findings;
 }
 
@@ -153,8 +153,7 @@ Findings judge_narrow_spike(MoesGroups moes) {
             known ? fmt::format("stated {}, n = {}", plain(found.slow->lag_error, 2), found.cost.nodes) : ""));
   findings.claims.push_back(claim(
       fast_says("narrow/stated/" + contact_name(moes, Flooded{}), 8, "the stated error of that lag covers the error"),
-      known ? differ / (found.slow->lag_error + truth.slow->lag_error) : nothing, 0,
-      Tolerance::required(1, "an error bar covers the error")));
+      known ? differ / (found.slow->lag_error + truth.slow->lag_error) : nothing, 0, Tolerance::stated()));
   return findings;
 }
 

@@ -62,7 +62,7 @@ Findings judge_torque(const Case& bearing_case, ContactMemory& memory) {
   found.claims.push_back(
       claim(sentence(id + "/stated", "the stated error of the torque covers that of its rolling forces"),
             std::abs(result.torque->torque_N_m * turn_rad_per_s / surfaces_W - 1) / result.torque->error, 0,
-            Tolerance::required(1, "an error bar covers the error"), "stated " + plain(result.torque->error, 2)));
+            Tolerance::stated(), "stated " + plain(result.torque->error, 2)));
   // Cells of two intervals err four times as much as cells of one: a third of the difference is the error.
   const double estimate = worse(inner.error, outer.error) / 3;
   found.claims.push_back(claim(
