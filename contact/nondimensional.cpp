@@ -103,6 +103,17 @@ void require_in_range(const Groups& groups) {
         "L", "L = " + plain(groups.L) + " is out of range; allowed is 0 to 100; L = alpha E' (eta_0 u_s/(E' R))^(1/4)");
 }
 
+/// Stated numbers of the oil that the viscosity law does not read.
+void note_unread(const Lubricant& lubricant, std::vector<std::string>& notes) {
+  const ViscosityLawRow& law = row_of(lubricant.viscosity);
+  const auto unread = [&](const char* key, double value, const char* unit) {
+    notes.push_back(fmt::format("{} = {}{} has no effect: the viscosity law {} does not read it", key, plain(value),
+                                unit, law.name));
+  };
+  if (lubricant.z && !law.keys.z) unread("z", *lubricant.z, "");
+  if (lubricant.p0_Pa != roelands_pressure_Pa && !law.keys.p0_Pa) unread("p0_Pa", lubricant.p0_Pa, " Pa");
+}
+
 StatedOil oil_of(const Statement& statement, const Lubricant& lubricant, std::vector<std::string>& notes) {
   const LawKeys keys = row_of(lubricant.viscosity).keys;
   const auto* si = std::get_if<Conditions>(&statement);
@@ -195,6 +206,7 @@ Nondimensional nondimensionalise(const Statement& statement, const Lubricant& lu
   const bool in_SI = std::holds_alternative<Conditions>(statement);
 
   // 1. alpha and z in SI, then the groups, and the scales where the statement fixes them.
+  note_unread(lubricant, result.notes);
   const StatedOil oil = oil_of(statement, lubricant, result.notes);
   const auto [groups, stated_scales] = scaled(statement, lubricant, oil);
   require_in_range(groups);

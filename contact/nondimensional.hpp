@@ -62,8 +62,9 @@ class StatementError : public std::invalid_argument {
 inline constexpr double smallest_M = 1e-3, largest_M = 1e6, largest_L = 100;
 
 /// SI stops here. Roelands' relation alpha = z (ln eta_0 + 9.67)/p_0 supplies alpha or z where eta_0 is known and one
-/// of the two is left out. L = 0 means isoviscous and incompressible whatever the laws say (noted); isoviscous with
-/// L > 0, a law that needs pressures in Pa where p_H is unknown, and groups out of range throw StatementError.
+/// of the two is left out. L = 0 means isoviscous and incompressible whatever the laws say (noted, as is a z or p0_Pa
+/// that the law does not read); isoviscous with L > 0, a law that needs pressures in Pa where p_H is unknown, and
+/// groups out of range throw StatementError.
 [[nodiscard]] Nondimensional nondimensionalise(const Statement& statement, const Lubricant& lubricant,
                                                const Inlet& inlet);
 

@@ -44,6 +44,10 @@ struct Words {
     return fmt::format("datum: {}; x_0 = {} (inner), {} (outer)", source_of(datum), millimetre(result.datum_m->inner),
                        millimetre(result.datum_m->outer));
   }
+  std::string operator()(const note::UnreadDatum& unread) const {
+    return fmt::format("datum.{} has no effect: the datum's law is {}, and only {} reads it", unread.key, unread.law,
+                       unread.belongs_to);
+  }
   std::string operator()(const note::PoorLine& poor) const {
     const bearing::LinearFit& fit = result.fit->at(poor.raceway);
     if (fit.misfit() <= bearing::largest_misfit) return poor_in_use(poor.raceway, fit);

@@ -27,6 +27,12 @@ struct Datum {
   From from = From::stated;
   double met_at_N = 0;
 };
+/// A key of [datum] beside a law that does not read it.
+struct UnreadDatum {
+  std::string key;         ///< "x0_m"
+  std::string law;         ///< of the datum
+  std::string belongs_to;  ///< the law that reads the key
+};
 /// The force across the load that holds the ring in the radial form.
 struct LateralForce {
   double force_N = 0;
@@ -89,8 +95,8 @@ struct LineAlone {
 namespace ehd {
 
 using BearingNote =
-    std::variant<note::PoorLine, note::Datum, note::LateralForce, note::RaisedFit, note::OutsideFit, note::Curve,
-                 note::Oil, note::CutVariant, note::NoVariant, note::NoFilms, note::Dynamics, note::Torque,
+    std::variant<note::PoorLine, note::Datum, note::UnreadDatum, note::LateralForce, note::RaisedFit, note::OutsideFit,
+                 note::Curve, note::Oil, note::CutVariant, note::NoVariant, note::NoFilms, note::Dynamics, note::Torque,
                  note::Unusual, note::ThinFilm, note::NoBudget, note::LineAlone>;
 
 }  // namespace ehd

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <set>
+#include <string_view>
 #include <variant>
 
 #include "bearing/film_curve.hpp"
@@ -166,6 +168,20 @@ void carry_through(BearingResult& result, const BearingSetup& setup, const Beari
   for (const Unusual& one : unusual(facts_of(setup.body, result.rollers))) result.notes.emplace_back(one);
 }
 
+/// Keys of [datum] that the case states and its law of the datum does not read.
+void note_unread_datum(BearingResult& result, const Case& bearing_case) {
+  struct Reader {
+    const char* key;
+    std::string_view law;
+  };
+  constexpr std::array readers{Reader{"load_N", PalmgrenDatum::name}, Reader{"x0_m", LengthDatum::name}};
+  const auto& datum = std::get<BearingCase>(bearing_case.body).datum;
+  const std::string_view law = std::visit([](const auto& one) { return one.name; }, datum);
+  for (const Reader& reader : readers)
+    if (reader.law != law && bearing_case.places.contains(std::string("datum.") + reader.key))
+      result.notes.push_back(note::UnreadDatum{reader.key, std::string(law), std::string(reader.law)});
+}
+
 BearingResult run_law(const Case& bearing_case, const BearingRequest& request, const BearingSetup& setup,
                       bearing::Law law, Plan plan, ContactMemory& memory) {
   const auto begin = std::chrono::steady_clock::now();
@@ -176,6 +192,7 @@ BearingResult run_law(const Case& bearing_case, const BearingRequest& request, c
   result.law = law;
   result.form = request.form;
   result.plan = std::move(plan);
+  if (needs_film(law)) note_unread_datum(result, bearing_case);
   carry_through(result, setup, request, memory);
   result.contact_solves = memory.solves() - solves;
   result.contact_recalls = memory.recalls() - recalls;

@@ -131,6 +131,23 @@ BOOST_AUTO_TEST_CASE(roelands_relation_supplies_what_is_left_out) {
   BOOST_TEST(with_both.notes[0].find('%') != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(a_number_that_the_viscosity_law_does_not_read_is_noted) {
+  Lubricant oil = barus(1.8e-8);
+  oil.p0_Pa = roelands_pressure_Pa;
+  BOOST_TEST(nondimensionalise(steel(), oil, Flooded{}).notes.empty());
+  oil.z = 0.63;
+  oil.p0_Pa = 1.7e8;
+  for (const Statement& statement : {Statement(steel()), Statement(MoesGroups{20, 10})}) {
+    const auto notes = nondimensionalise(statement, oil, Flooded{}).notes;
+    BOOST_REQUIRE(notes.size() == 2U);
+    BOOST_TEST(notes[0] == "z = 0.63 has no effect: the viscosity law barus does not read it");
+    BOOST_TEST(notes[1] == "p0_Pa = 1.7e8 Pa has no effect: the viscosity law barus does not read it");
+  }
+  oil.viscosity = ViscosityLaw::roelands;
+  for (const std::string& note : nondimensionalise(steel(), oil, Flooded{}).notes)
+    BOOST_TEST(note.find("has no effect") == std::string::npos, note);
+}
+
 BOOST_AUTO_TEST_CASE(at_L_zero_groups_are_solved_isoviscous_and_incompressible) {
   const auto made = nondimensionalise(MoesGroups{7, 0}, roelands(2.1e-8, 0.63), Flooded{});
   BOOST_TEST(is_trivial(made.problem.viscosity));

@@ -239,6 +239,26 @@ BOOST_AUTO_TEST_CASE(another_datum_needs_no_other_contact) {
   EHD_CHECK(error(results.at(0).datum_m->inner, 0.122), Tolerance::round_off(1));
 }
 
+BOOST_AUTO_TEST_CASE(a_key_of_the_datum_that_its_law_does_not_read_is_noted) {
+  Case one = needle_bearing(0);
+  for (const char* key : {"datum.law", "datum.x0_m", "datum.load_N"}) one.places[key] = {.line = 20};
+  const auto unread = [&](const Datum& datum, bearing::Law law) {
+    body_of(one).datum = datum;
+    ContactMemory memory(synthetic_contact);
+    std::vector<std::string> found;
+    for (const std::string& note : notes_of(run(one, {law}, memory).at(0)))
+      if (note.find("has no effect") != std::string::npos) found.push_back(note);
+    return found;
+  };
+  using Notes = std::vector<std::string>;
+  const std::string x0 = "datum.x0_m has no effect: the datum's law is ", load = "datum.load_N has no effect: ";
+  BOOST_TEST((unread(PalmgrenDatum{}, bearing::Law::ehd) == Notes{x0 + "palmgren, and only x0 reads it"}));
+  BOOST_TEST((unread(LengthDatum{0.01}, bearing::Law::ehd) ==
+              Notes{load + "the datum's law is x0, and only palmgren reads it"}));
+  BOOST_TEST(unread(LundbergDatum{}, bearing::Law::ehd_linear).size() == 2U);
+  BOOST_TEST(unread(LundbergDatum{}, bearing::Law::hertz).empty());  // a dry law has no datum
+}
+
 BOOST_AUTO_TEST_CASE(an_ehd_law_at_rest_is_refused_in_one_line) {
   CountedContacts contacts;
   ContactMemory memory(contacts.solver());
