@@ -180,9 +180,31 @@ std::string error_of_forces(const std::vector<BearingResult>& results, const Err
   return text.empty() ? text : text + "\n";
 }
 
-/// The approach of each roller to the inner raceway.
-std::vector<RollerColumn> approach_column(const BearingResult&) {
-  return {{"delta_i", "um", [](const ContactRow& inner) { return fixed(1e6 * inner.displacement_m, 3); }}};
+/// The displacement of a contact or of the ring across the load, in the digits that the error of the displacement
+/// leaves.
+std::string displacement_text(const BearingResult& result, double um, double error_um, int decimals) {
+  if (std::isnan(error_um)) return plain(um, unstated_digits);
+  return needs_film(result.law) ? cut_at_error(um, error_um, decimals) : fixed(um, decimals);
+}
+
+/// The absolute error of a displacement; NaN where a law with films has none.
+double error_of_displacement_um(const BearingResult& result, const ErrorsOfLaws& errors) {
+  const BearingErrors* const known = errors_of(result, errors);
+  return known ? 1e6 * known->displacement_m : needs_film(result.law) ? std::nan("") : 0;
+}
+
+/// The approach of each roller to the inner raceway. A fitted law is also as wrong as it is far from ehd.
+std::vector<RollerColumn> approach_column(const BearingResult& result, const ErrorsOfLaws& errors,
+                                          const BearingResult* full) {
+  const double own_um = error_of_displacement_um(result, errors);
+  const bool beside = result.fit && full && full->rollers.size() == result.rollers.size();
+  return {{"delta_i", "um", [&result, own_um, full = beside ? full : nullptr](const ContactRow& inner) {
+             double error_um = own_um;
+             for (std::size_t j = 0; full && j < result.rollers.size(); ++j)
+               if (&result.rollers[j].inner == &inner)
+                 error_um += 1e6 * std::abs(inner.displacement_m - full->rollers[j].inner.displacement_m);
+             return displacement_text(result, 1e6 * inner.displacement_m, error_um, 3);
+           }}};
 }
 
 /// What each law cost.
@@ -197,9 +219,9 @@ std::string cost_table(const std::vector<BearingResult>& results) {
   return below_line(rows);
 }
 
-/// Lateral displacement, load zone and stiffness of the ring. A stiffness of a law with films has no error here: three
-/// digits.
-std::string ring_table(const std::vector<BearingResult>& results) {
+/// Lateral displacement, load zone and stiffness of the ring. The error along the load is that of all entries of the
+/// stiffness; a fitted law is also as wrong as it is far from ehd.
+std::string ring_table(const std::vector<BearingResult>& results, const ErrorsOfLaws& errors) {
   const BearingResult* full = full_relation_in(results);
   Rows rows{{"ring", "lateral um", "loaded rollers from deg", "to", "stiffness N/um: xx", "yy", "xy"}};
   for (const BearingResult& result : results) {
@@ -207,13 +229,22 @@ std::string ring_table(const std::vector<BearingResult>& results) {
     const auto& K = result.stiffness_N_per_m;
     const auto& zone = result.load_zone_deg;
     const int digits = needs_film(result.law) ? unstated_digits : 5;
-    rows.push_back({name_of(result), fixed(1e6 * result.displacement_lateral_m, 4), zone ? plain(zone->first, 5) : "-",
-                    zone ? plain(zone->second, 5) : "-"});
+    const bool fitted = result.fit && full;
+    const BearingResult& source = fitted ? *full : result;
+    const double along = source.stiffness_N_per_m[0][0] * stiffness_error(source, full).value_or(std::nan(""));
+    const double lateral_m = result.displacement_lateral_m;
+    const bool rounding = std::abs(lateral_m) <= negligible_displacement * std::abs(result.displacement_m);
+    const double error_um = error_of_displacement_um(result, errors);
+    rows.push_back({name_of(result), rounding ? "0" : displacement_text(result, 1e6 * lateral_m, error_um, 4),
+                    zone ? plain(zone->first, 5) : "-", zone ? plain(zone->second, 5) : "-"});
     const bool known = knows_stiffness(result, full);
-    for (const double value : {K[0][0], K[1][1], K[0][1]})
+    for (const auto& [r, s] : {std::pair{0U, 0U}, {1U, 1U}, {0U, 1U}}) {
+      const double value = K[r][s], error = along + (fitted ? std::abs(value - full->stiffness_N_per_m[r][s]) : 0);
       rows.back().push_back(!known                                          ? "-"
                             : std::abs(value) <= negligible_entry * K[0][0] ? "0"
-                                                                            : plain(1e-6 * value, digits));
+                            : std::isfinite(error) ? cut_at_error(1e-6 * value, 1e-6 * error, 4)
+                                                   : plain(1e-6 * value, digits));
+    }
   }
   return below_line(rows);
 }
@@ -261,11 +292,17 @@ std::string dynamics_table(const std::vector<BearingResult>& results) {
     return result.law == bearing::Law::ehd && !result.dynamics.empty();
   });
   Rows rows{{"in motion", "Hz", "stiffness N/um: xx", "yy", "xy", "damping N s/m: xx", "yy", "xy"}};
+  std::string remark;
   for (const BearingResult& result : results) {
     for (std::size_t k = 0; k < result.dynamics.size(); ++k) {
       const DynamicRow& at = result.dynamics[k];
       const bool fitted = result.fit.has_value();
       const auto* full = fitted && ehd != results.end() ? &ehd->dynamics[k].ring : nullptr;
+      if (full)
+        remark = wrapped(fmt::format("  errors of {} in motion: also by the standard deviation of its K, so that they "
+                                     "are larger than that of the stiffness along the load",
+                                     name_of(result)),
+                         "  ");
       Row row{name_of(result), plain(at.frequency_Hz)};
       const auto add = [&](const Row& cells) { row.insert(row.end(), cells.begin(), cells.end()); };
       add(entries(at.ring.stiffness_N_per_m, 1e-6, at.ring.error, fitted, full));
@@ -276,7 +313,7 @@ std::string dynamics_table(const std::vector<BearingResult>& results) {
       rows.push_back(std::move(row));
     }
   }
-  return below_line(rows);
+  return below_line(rows) + remark;
 }
 
 /// Stiffness and damping of the contacts around the bearing, at the first frequency, by laws that know damping.
@@ -314,11 +351,17 @@ std::string cage_table(const std::vector<BearingResult>& results, const ErrorsOf
       return known ? with_absolute_error(unit * value, unit * (known->*error))
                    : plain(unit * value, needs_film(result.law) ? unstated_digits : 6);
     };
+    // Between two positions: twice the error of one.
+    const auto difference = [&](double um) {
+      if (!known) return plain(um, 3);
+      const double error_um = 2e6 * known->displacement_m;
+      return um > 2 * error_um ? with_absolute_error(um, error_um) : "< " + rounded_up(um + error_um, 2);
+    };
     const bool across_is_rounding = std::abs(across.mean) <= negligible_displacement * std::abs(along.mean);
     rows.push_back({name_of(result), std::to_string(result.cage->positions),
-                    with(along.mean, &BearingErrors::displacement_m, 1e6), plain(1e6 * along.peak_to_peak, 3),
+                    with(along.mean, &BearingErrors::displacement_m, 1e6), difference(1e6 * along.peak_to_peak),
                     across_is_rounding ? "0" : with(across.mean, &BearingErrors::displacement_m, 1e6),
-                    plain(1e6 * across.peak_to_peak, 3),
+                    difference(1e6 * across.peak_to_peak),
                     with(result.cage->largest_force_N, &BearingErrors::largest_force_N, 1)});
   }
   return below_line(rows);
@@ -393,8 +436,11 @@ std::string human_table(const Case& bearing_case, const std::vector<BearingResul
       summary_table(std::get<BearingCase>(bearing_case.body), results, view.errors) +
       rollers_table(results, [&](const BearingResult& result) { return columns_of(result, view.errors); }) +
       error_of_forces(results, view.errors);
+  const BearingResult* full = full_relation_in(results);
+  const auto approaches = [&](const BearingResult& result) { return approach_column(result, view.errors, full); };
   if (view.details)
-    text += fmt::format("\n{}{}{}", rollers_table(results, approach_column), cost_table(results), ring_table(results));
+    text += fmt::format("\n{}{}{}", rollers_table(results, approaches), cost_table(results),
+                        ring_table(results, view.errors));
   text += cage_table(results, view.errors) + dynamics_table(results);
   for (const BearingResult& result : results) text += contacts_in_motion(result, view.errors);
   for (const BearingResult& result : results) {

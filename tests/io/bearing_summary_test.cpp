@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(a_stiffness_without_a_known_digit_is_left_out_of_text_and_j
       return text.substr(at, end - at);
     };
     BOOST_TEST(cells_of("stiffness along").ends_with("  -") == !given, text);
-    BOOST_TEST(cells_of("ehd-linear      0.0000").ends_with("  -") == !given, text);
+    BOOST_TEST(cells_of("ehd-linear           0  ").ends_with("  -") == !given, text);
     return given;
   };
   line.stiffness_N_per_m[0][0] = 3.4e8;
@@ -203,6 +203,19 @@ BOOST_AUTO_TEST_CASE(tables_of_motion_print_the_digits_that_are_known) {
   const std::string text = human_table(one, {result});
   for (const char* phrase : {"3192(4)", "1.18(3)e3", " 8826.1  9781.2  ", "5.71(2)e3", "1.071(2)e4"})
     BOOST_CHECK_MESSAGE(says(text, phrase), phrase << " is not in\n" << text);
+}
+
+// The error of a line in motion counts the deviation of its K too; beside the smaller one at rest a line says why.
+BOOST_AUTO_TEST_CASE(the_table_of_motion_says_why_errors_of_a_line_are_larger) {
+  const Case one = made::needle_bearing(10e-6);
+  BearingResult films = made_result(), line = made_result();
+  films.dynamics = line.dynamics = {{.frequency_Hz = 0, .ring = {.stiffness_N_per_m = {{{5e8, 0}, {0, 5e8}}}}}};
+  line.law = bearing::Law::ehd_linear;
+  line.fit.emplace();
+  line.fit->inner.points = line.fit->outer.points = {{}};
+  const std::string words = "  errors of ehd-linear in motion: also by the standard deviation of its K";
+  BOOST_TEST(says(human_table(one, {line, films}), words), human_table(one, {line, films}));
+  BOOST_TEST(!says(human_table(one, {line}), words));
 }
 
 // Every force is known to 42 N. p_H has half the relative error of the force, a film the whole one and its own.
@@ -270,16 +283,53 @@ BOOST_AUTO_TEST_CASE(tables_of_cage_and_motion_print_the_digits_that_are_known) 
                  .displacement_m = {.mean = 10.1234567e-6, .peak_to_peak = 1.23456e-9},
                  .displacement_lateral_m = {.mean = 1e-22, .peak_to_peak = 2.34567e-9},
                  .largest_force_N = 912.345};
-  const auto shows = [&](const ErrorsOfLaws& errors, const std::string& mean, const std::string& largest) {
+  const auto shows = [&](const ErrorsOfLaws& errors, const std::string& mean, const std::string& largest,
+                         const std::string& along = "     0.00123", const std::string& across = "     0.00235") {
     const std::string text = human_table(one, {result}, {.errors = errors});
-    const std::string row = "  " + mean + "       0.00123                 0       0.00235\n";
+    const std::string row = "  " + mean + "  " + along + "                 0  " + across + "\n";
     BOOST_TEST(says(text, row), text);
     BOOST_TEST(text.ends_with("  " + largest + "\n"), text);
   };
-  shows(some_errors, "10.12(2)", "912(3)");
+  shows(some_errors, "10.12(2)", "912(3)", "     < 0.042", "     < 0.043");  // twice the error of one displacement
+  shows({{bearing::Law::ehd, {.displacement_m = 2e-10, .largest_force_N = 3}}}, "10.1235(2)", "912(3)", "   0.0012(4)",
+        "   0.0023(4)");
   shows({}, "10.1", "912");
   result.law = bearing::Law::hertz;
   shows({}, "10.1235", "912.345");
+}
+
+// The ring is known to 0.02 um by ehd, to 0.3 um by the line, whose rollers are as far off as they are from ehd.
+BOOST_AUTO_TEST_CASE(details_print_the_digits_that_are_known) {
+  const Case one = made::needle_bearing(10e-6);
+  BearingResult full = made_result();
+  full.displacement_lateral_m = 1.23456e-6;
+  full.stiffness_N_per_m = {{{5.0012e8, 3.1234e7}, {3.1234e7, 4.1234e8}}};
+  full.stiffness_error_N_per_m = 2e6;
+  full.rollers[0].inner.displacement_m = 2.34567e-6;
+  full.rollers[2].inner.displacement_m = -2.34567e-6;
+  BearingResult line = full;
+  line.law = bearing::Law::ehd_linear;
+  line.fit.emplace();
+  line.fit->inner.points = line.fit->outer.points = {{}};
+  line.rollers[2].inner.displacement_m = -45.4321e-6;
+  line.stiffness_N_per_m[1][1] = 5.1234e8;
+  ErrorsOfLaws errors = some_errors;
+  const auto row = [&](const std::string& begin, const std::vector<BearingResult>& results) {
+    const std::string text = human_table(one, results, {.details = true, .errors = errors});
+    const auto at = text.find("\n  " + begin + " ", begin == "ehd" ? text.find("\n  ring") : text.find("delta_i"));
+    return text.substr(at + 1, text.find('\n', at + 1) - at - 1);
+  };
+  BOOST_TEST(row("0", {full}) == "  0             2.35");
+  BOOST_TEST(row("180", {full}) == "  180          -2.35");
+  BOOST_TEST(says(row("ehd", {full}), " 1.23 "), row("ehd", {full}));
+  BOOST_TEST(row("ehd", {full}).ends_with("  500  412  31"), row("ehd", {full}));
+  errors[bearing::Law::ehd_linear] = {.displacement_m = 3e-7, .largest_force_N = 30};
+  BOOST_TEST(row("0", {line, full}) == "  0                     2.3          2.35");
+  BOOST_TEST(row("180", {line, full}) == "  180                   -50         -2.35");
+  errors.clear();
+  BOOST_TEST(row("0", {full}) == "  0             2.35");
+  full.law = bearing::Law::hertz;
+  BOOST_TEST(row("0", {full}) == "  0              2.346");
 }
 
 BOOST_AUTO_TEST_CASE(details_and_the_film_of_unloaded_rollers_are_not_in_the_first_table) {
