@@ -21,6 +21,7 @@
 #include "io/bearing_json.hpp"
 #include "io/bearing_table.hpp"
 #include "io/contact_json.hpp"
+#include "io/faults.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
 #include "io/tables.hpp"
@@ -134,11 +135,14 @@ std::string statements_of(const Computed& computed, ContactMemory& memory, beari
 /// The cases that were named. Throws UsageError, CaseError.
 std::vector<Case> read_bearings(const std::vector<std::string>& names, const CaseChanges& changes) {
   std::vector<Case> cases;
-  for (const std::string& name : names) {
-    cases.push_back(changes.read(name));
-    if (!std::holds_alternative<BearingCase>(cases.back().body))
-      throw case_error(cases.back(), "", "this is a contact; allowed is a bearing case (ehd solve solves this one)");
-  }
+  Faults faults;
+  for (const std::string& name : names)
+    (void)faults.none_in([&] {
+      cases.push_back(changes.read(name));
+      if (!std::holds_alternative<BearingCase>(cases.back().body))
+        throw case_error(cases.back(), "", "this is a contact; allowed is a bearing case (ehd solve solves this one)");
+    });
+  faults.refuse();
   return cases;
 }
 

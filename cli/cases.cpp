@@ -23,6 +23,7 @@
 #include "io/find_case.hpp"
 #include "io/tables.hpp"
 #include "verification/atlas/atlas.hpp"
+#include "io/faults.hpp"
 #include "workflow/case.hpp"
 
 namespace ehd::cli {
@@ -142,11 +143,14 @@ int list(const CasesOptions& options) {
   const bool all = ids.empty();
   if (options.atlas && !all) throw UsageError("cases: --atlas and an ID exclude each other; allowed is one of them");
   std::vector<Case> cases;
-  for (const std::string& id : ids) {
-    Case one = read_case(find_case(id));
-    const bool known = std::any_of(cases.begin(), cases.end(), [&](const Case& other) { return other.id == one.id; });
-    if (!known) cases.push_back(std::move(one));
-  }
+  Faults faults;
+  for (const std::string& id : ids)
+    (void)faults.none_in([&] {
+      Case one = read_case(find_case(id));
+      const bool known = std::any_of(cases.begin(), cases.end(), [&](const Case& other) { return other.id == one.id; });
+      if (!known) cases.push_back(std::move(one));
+    });
+  faults.refuse();
   if (all) cases = options.atlas ? atlas_cases() : all_cases();
   if (options.show) {
     print(shown(cases));

@@ -20,6 +20,7 @@
 #include "contact/text.hpp"
 #include "io/contact_json.hpp"
 #include "io/duration.hpp"
+#include "io/faults.hpp"
 #include "io/json.hpp"
 #include "io/result_head.hpp"
 #include "io/tables.hpp"
@@ -249,10 +250,13 @@ std::vector<Request> requests_of(const CompareOptions& options) {
 /// Throws UsageError, CaseError.
 std::vector<Case> contact_cases_of(const CompareOptions& options) {
   std::vector<Case> cases;
-  for (const auto& name : options.cases) {
-    cases.push_back(options.changes.read(name));
-    verification::require_lubricated(cases.back());
-  }
+  Faults faults;
+  for (const auto& name : options.cases)
+    (void)faults.none_in([&] {
+      cases.push_back(options.changes.read(name));
+      verification::require_lubricated(cases.back());
+    });
+  faults.refuse();
   return cases;
 }
 

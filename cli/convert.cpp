@@ -16,6 +16,7 @@
 #include "contact/scalings.hpp"
 #include "contact/text.hpp"
 #include "io/case_keys.hpp"
+#include "io/faults.hpp"
 #include "io/json.hpp"
 #include "io/near_miss.hpp"
 #include "io/result_head.hpp"
@@ -60,7 +61,7 @@ std::vector<GivenNumber> numbers_of(const std::vector<std::string>& texts) {
   std::vector<std::string> names;
   for (const ScaledNumber& row : scaled_numbers()) names.emplace_back(row.name);
   std::vector<GivenNumber> given;
-  for (const std::string& text : texts) {
+  const auto read = [&](const std::string& text) {
     const auto equals = text.find('=');
     const std::string name = text.substr(0, equals);
     if (std::find(names.begin(), names.end(), name) == names.end())
@@ -72,7 +73,16 @@ std::vector<GivenNumber> numbers_of(const std::vector<std::string>& texts) {
     const Interval allowed{
         .low = 0, .high = std::numeric_limits<double>::max(), .open_low = !scaled_numbers()[row].may_vanish()};
     given.push_back({.name = name, .value = parse_number(name, text.substr(equals + 1), allowed)});
+  };
+  Faults faults;
+  for (const std::string& text : texts) {
+    try {
+      read(text);
+    } catch (const UsageError& error) {
+      faults.add("ehd: " + std::string(error.what()));
+    }
   }
+  faults.refuse();
   return given;
 }
 

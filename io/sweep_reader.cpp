@@ -7,11 +7,13 @@
 #include <mutex>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "contact/text.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_reader.hpp"
 #include "io/case_text.hpp"
+#include "io/faults.hpp"
 #include "io/find_case.hpp"
 #include "io/near_miss.hpp"
 #include "io/sweep_file.hpp"
@@ -43,25 +45,32 @@ void read_case_of_sweep(const SweepSource& source, Sweep& sweep) {
   }
 }
 
-void read_laws(const SweepSource& source, Sweep& sweep) {
+/// Whether the sweep's case is a bearing; absent where the case could not be read.
+using OfBearing = std::optional<bool>;
+
+void read_laws(const SweepSource& source, OfBearing of_bearing, Sweep& sweep) {
   const toml::node* node = source.root().get("laws");
   if (!node) return;
   const std::string allowed = "a list of laws out of " + bearing::names_of(bearing::Laws::all);
-  if (!sweep.bearing) source.fail("laws", *node, "belongs to the sweep of a bearing; allowed is no laws for a contact");
+  if (of_bearing == false)
+    source.fail("laws", *node, "belongs to the sweep of a bearing; allowed is no laws for a contact");
   const toml::array* array = node->as_array();
   if (!array) source.fail_type("laws", *node, allowed);
   if (array->empty()) source.fail("laws", *node, "is empty; allowed is " + allowed);
   std::vector<std::string> names;
   for (const bearing::LawRow& row : bearing::law_rows()) names.emplace_back(row.name);
-  for (const toml::node& entry : *array) {
-    const std::string word = source.text("laws", entry, allowed);
-    const auto law = bearing::law_from(word);
-    if (!law)
-      source.fail("laws", entry, fmt::format("is unknown; {}allowed is {}", did_you_mean(word, names), allowed));
-    if (std::find(sweep.laws.begin(), sweep.laws.end(), *law) != sweep.laws.end())
-      source.fail("laws", entry, "is a duplicate; allowed is each law once");
-    sweep.laws.push_back(*law);
-  }
+  Faults faults;
+  for (const toml::node& entry : *array)
+    (void)faults.none_in([&] {
+      const std::string word = source.text("laws", entry, allowed);
+      const auto law = bearing::law_from(word);
+      if (!law)
+        source.fail("laws", entry, fmt::format("is unknown; {}allowed is {}", did_you_mean(word, names), allowed));
+      if (std::find(sweep.laws.begin(), sweep.laws.end(), *law) != sweep.laws.end())
+        source.fail("laws", entry, "is a duplicate; allowed is each law once");
+      sweep.laws.push_back(*law);
+    });
+  faults.refuse();
 }
 
 void read_solver(const SweepSource& source, Sweep& sweep) {
@@ -71,10 +80,10 @@ void read_solver(const SweepSource& source, Sweep& sweep) {
   if (!find_solver(sweep.solver)) source.fail("solver", *node, is_unknown(sweep.solver, solver_names()));
 }
 
-void read_tolerance(const SweepSource& source, Sweep& sweep) {
+void read_tolerance(const SweepSource& source, OfBearing of_bearing, Sweep& sweep) {
   const toml::node* node = source.root().get("tolerance");
   if (!node) return;
-  if (sweep.bearing)
+  if (of_bearing == true)
     source.fail(
         "tolerance", *node,
         "belongs to the sweep of a contact; allowed is no tolerance in the sweep of a bearing, which sets that of "
@@ -99,17 +108,8 @@ std::vector<SweptKey> keys_in_order(const SweepSource& source, const toml::table
   std::vector<SweptKey> keys;
   for (auto&& [key, values] : table) {
     const std::string name(key.str());
-    // key.with.dots without quotation marks is a table to TOML.
-    if (const toml::table* inner = values.as_table(); inner && name.find('.') == std::string::npos) {
-      const std::string meant =
-          inner->empty() ? "operation.radial_load_N" : name + '.' + std::string(inner->begin()->first.str());
-      source.fail(line_of(values), name,
-                  fmt::format("is a table; allowed is the whole key in quotation marks, as \"{}\"", meant));
-    }
-    keys.push_back({.key = name,
-                    .values = swept_values(source, name, values),
-                    .line = line_of(values),
-                    .text = source.written(values)});
+    const toml::node& node = values;
+    keys.push_back({.key = name, .values = {}, .line = line_of(node), .text = source.written(node)});
   }
   const auto place = [&table](const SweptKey& one) {
     const auto& begin = table.get(one.key)->source().begin;
@@ -118,6 +118,18 @@ std::vector<SweptKey> keys_in_order(const SweepSource& source, const toml::table
   std::sort(keys.begin(), keys.end(),
             [&](const SweptKey& one, const SweptKey& other) { return place(one) < place(other); });
   return keys;
+}
+
+/// The values of one key.
+std::vector<TomlValue> values_of(const SweepSource& source, const std::string& name, const toml::node& values) {
+  // key.with.dots without quotation marks is a table to TOML.
+  if (const toml::table* inner = values.as_table(); inner && name.find('.') == std::string::npos) {
+    const std::string meant =
+        inner->empty() ? "operation.radial_load_N" : name + '.' + std::string(inner->begin()->first.str());
+    source.fail(line_of(values), name,
+                fmt::format("is a table; allowed is the whole key in quotation marks, as \"{}\"", meant));
+  }
+  return swept_values(source, name, values);
 }
 
 /// Equal numbers of values for zip, and not too many rows.
@@ -149,6 +161,10 @@ void read_keys(const SweepSource& source, Sweep& sweep) {
   sweep.keys_line = line_of(*node);
   if (table->empty()) source.fail(sweep.keys_line, "[keys]", "is empty; allowed is " + allowed);
   sweep.keys = keys_in_order(source, *table);
+  Faults faults;
+  for (SweptKey& one : sweep.keys)
+    (void)faults.none_in([&] { one.values = values_of(source, one.key, *table->get(one.key)); });
+  faults.refuse();
   require_countable(source, sweep);
 }
 
@@ -161,14 +177,24 @@ Sweep read_sweep_statement(const std::filesystem::path& file) {
   sweep.id = id_of_file(file);
   if (const toml::node* id = source.root().get("id"); id && !source.root().get("case"))
     source.fail("id", *id, "belongs to a case; allowed is a sweep, which names its case: case = \"ID or FILE\"");
-  source.require_known(source.root(), "", {"case", "laws", "solver", "tolerance", "films", "table", "combine", "keys"});
-  read_case_of_sweep(source, sweep);
-  read_laws(source, sweep);
-  read_solver(source, sweep);
-  read_tolerance(source, sweep);
-  read_films(source, sweep);
-  read_combine(source, sweep);
-  read_keys(source, sweep);
+  const std::vector<std::string> known{"case", "laws", "solver", "tolerance", "films", "table", "combine", "keys"};
+  std::set<std::string> meant;
+  for (const auto& [key, node] : unknown_keys(source.root(), known)) meant.insert(near_miss(key, known));
+  Faults faults;
+  // A key that is missing is not named where an unknown one was probably meant to be it.
+  const auto sound = [&](const std::string& key, const auto& read) {
+    return (source.root().get(key) || !meant.contains(key)) && faults.none_in(read);
+  };
+  (void)faults.none_in([&] { source.require_known(source.root(), "", known); });
+  const bool case_is_known = sound("case", [&] { read_case_of_sweep(source, sweep); });
+  const OfBearing of_bearing = case_is_known ? OfBearing(sweep.bearing) : std::nullopt;
+  (void)sound("laws", [&] { read_laws(source, of_bearing, sweep); });
+  const bool solver_is_known = sound("solver", [&] { read_solver(source, sweep); });
+  (void)sound("tolerance", [&] { read_tolerance(source, of_bearing, sweep); });
+  if (case_is_known && solver_is_known) (void)sound("films", [&] { read_films(source, sweep); });
+  (void)sound("combine", [&] { read_combine(source, sweep); });
+  (void)sound("keys", [&] { read_keys(source, sweep); });
+  faults.refuse();
   return sweep;
 }
 

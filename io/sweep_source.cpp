@@ -8,6 +8,7 @@
 #include "contact/text.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_text.hpp"
+#include "io/faults.hpp"
 #include "io/near_miss.hpp"
 #include "workflow/case.hpp"
 
@@ -51,9 +52,13 @@ void SweepSource::missing(const std::string& key, const std::string& required) c
 
 void SweepSource::require_known(const toml::table& table, const std::string& of,
                                 const std::vector<std::string>& allowed) const {
+  Faults faults;
   for (const auto& [key, node] : unknown_keys(table, allowed))
-    fail(shortened(key, longest_key), *node,
-         fmt::format("is unknown{}; {}allowed is {}", of, did_you_mean(key, allowed), list(allowed)));
+    (void)faults.none_in([&, &key = key, &node = node] {
+      fail(shortened(key, longest_key), *node,
+           fmt::format("is unknown{}; {}allowed is {}", of, did_you_mean(key, allowed), list(allowed)));
+    });
+  faults.refuse();
 }
 
 std::string SweepSource::text(const std::string& key, const toml::node& node, const std::string& allowed) const {

@@ -28,7 +28,7 @@ class SweepSource {
   [[noreturn]] void fail_type(const std::string& key, const toml::node& node, const std::string& allowed) const;
   [[noreturn]] void missing(const std::string& key, const std::string& required) const;
 
-  /// Refuses the first unknown key in the order of the file.
+  /// Refuses all unknown keys, in the order of the file.
   void require_known(const toml::table& table, const std::string& of, const std::vector<std::string>& allowed) const;
   /// The text at a node, or a failure.
   [[nodiscard]] std::string text(const std::string& key, const toml::node& node, const std::string& allowed) const;

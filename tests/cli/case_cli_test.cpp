@@ -425,6 +425,26 @@ BOOST_AUTO_TEST_CASE(every_wrong_value_is_a_line_of_its_own) {
   BOOST_TEST(test::ehd_run(folder, "solve " + file.string()).error_lines() == 2u);
 }
 
+BOOST_AUTO_TEST_CASE(all_wrong_cases_and_numbers_of_a_command_are_named_at_once) {
+  const test::Folder folder;
+  for (const auto& [arguments, phrases] : {
+           std::pair{"cases na490 own-moes-5-5 own-moes-5-6 --json",
+                     std::vector{"na490: there is no such case; did you mean na4908?",
+                                 "own-moes-5-6: there is no such case; did you mean own-moes-5-5?"}},
+           {"bearing na490 own-moes-5-5", {"na490: there is no such case", "own-moes-5-5.toml"}},
+           {"compare own-moes-5-6 na4908", {"own-moes-5-6: there is no such case", "na4908.toml"}},
+           {"convert l=10 M=x Q=3",
+            {"ehd: convert: l: is unknown", "ehd: M = x: is not", "ehd: convert: Q: is unknown"}},
+       }) {
+    const test::Ended ended = test::ehd_run(folder, arguments);
+    BOOST_TEST(ended.exit_code == 2);
+    BOOST_TEST(ended.out == "");
+    BOOST_CHECK_MESSAGE(ended.error_lines() == static_cast<long>(phrases.size()), ended.err);
+    for (const char* phrase : phrases)
+      BOOST_CHECK_MESSAGE(ended.err.find(phrase) != std::string::npos, phrase << " is not in: " << ended.err);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(near_misses_of_options_commands_and_cases_are_named) {
   const test::Folder folder;
   test::check_refused(folder, "solve own-moes-5-5 --tolerence 1e-3", "--tolerence: unknown; did you mean --tolerance?");

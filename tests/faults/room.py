@@ -120,10 +120,10 @@ class Room:
         return f"ehd {shown[:200]}: {'; '.join(wrong)}: {ended.err.strip()[:300]!r}" if wrong else None
 
 
-def faults_of_one_case(lines):
-    """Unknown and missing keys of a case are named all at once, a line each."""
-    keys = all(": is unknown" in line or ": is missing" in line for line in lines)
-    return lines and keys and len({line.split(":")[0] for line in lines}) == 1
+def faults_of_one_file(lines):
+    """The faults of a file are named all at once, a line each, with what is allowed."""
+    whole = all(" allowed " in line or " required " in line for line in lines)
+    return lines and whole and len({line.split(":")[0] for line in lines}) == 1
 
 
 def wrong_with(ended, codes):
@@ -135,7 +135,7 @@ def wrong_with(ended, codes):
         wrong.append(f"ended by signal {-ended.code}")
     elif ended.code not in codes:
         wrong.append(f"exit code {ended.code}")
-    if ended.err.count("\n") != 1 and not faults_of_one_case(ended.err.splitlines()):
+    if ended.err.count("\n") != 1 and not faults_of_one_file(ended.err.splitlines()):
         wrong.append(f"{ended.err.count(chr(10))} lines on standard error")
     if any(len(line) > LONGEST_LINE for line in ended.err.splitlines()):
         wrong.append("says it in more than a person reads")

@@ -215,4 +215,40 @@ BOOST_AUTO_TEST_CASE(the_examples_can_be_read) {
   BOOST_TEST(found >= 3u);
 }
 
+// A line each, in the order in which the file is read; what depends on a part that could not be read is left out.
+BOOST_AUTO_TEST_CASE(all_faults_of_a_sweep_are_named_at_once) {
+  const Folder folder;
+  const auto file = folder.write("bad.toml", R"(case = "na490"
+laws = ["hertzz", "ehd", "isoo"]
+solver = "fas"
+tolerance = 3
+kombine = "zip"
+films = "table"
+nonsense = 1
+[keys]
+"operation.radial_load_N" = []
+"bearing.rollers" = [20]
+"bearing.length_m" = 3
+)");
+  std::vector<std::string> lines;
+  try {
+    (void)read_sweep(file);
+  } catch (const CaseError& error) {
+    lines.emplace_back(error.what());
+    lines.insert(lines.end(), error.more().begin(), error.more().end());
+  }
+  const std::vector<std::string> beginnings{"5: kombine = \"zip\": is unknown; did you mean combine?",
+                                            "7: nonsense = 1: is unknown; allowed is",
+                                            "1: case = \"na490\": na490: there is no such case; did you mean na4908?",
+                                            "2: laws = \"hertzz\": is unknown; did you mean hertz?",
+                                            "2: laws = \"isoo\": is unknown; did you mean iso?",
+                                            "3: solver = \"fas\": is unknown; did you mean fast?",
+                                            "4: tolerance = 3: is out of range",
+                                            "9: operation.radial_load_N = []: is empty",
+                                            "11: bearing.length_m = 3: is an integer"};
+  BOOST_REQUIRE(lines.size() == beginnings.size());
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    BOOST_TEST(lines[i].starts_with(file.string() + ":" + beginnings[i]), lines[i]);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

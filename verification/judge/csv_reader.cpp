@@ -125,10 +125,13 @@ bool CsvReader::next() {
   if (!read_row()) return false;
   if (++rows_ > most_rows_)
     throw refusal(place(), fmt::format("has more than {0} rows; allowed are at most {0}", most_rows_));
+  return true;
+}
+
+void CsvReader::require_all_cells() const {
   if (cells_.size() != header_.size())
     throw refusal(place(), fmt::format("has {} cells; allowed are {}, as the header has{}", cells_.size(),
                                        header_.size(), cells_.size() > header_.size() ? ", and no decimal comma" : ""));
-  return true;
 }
 
 double CsvReader::number(std::size_t column) const {

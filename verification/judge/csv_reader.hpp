@@ -23,9 +23,11 @@ class CsvReader {
   [[nodiscard]] std::size_t size() const { return header_.size(); }
   [[nodiscard]] const std::vector<std::string>& header() const { return header_; }
 
-  /// Goes to the next row that is not empty; false at the end. Throws CaseError: another number of cells, too many
-  /// rows, a quotation mark where none belongs.
+  /// Goes to the next row that is not empty; false at the end. Throws CaseError: too many rows, a quotation mark where
+  /// none belongs.
   [[nodiscard]] bool next();
+  /// Throws CaseError where the row has another number of cells than the header.
+  void require_all_cells() const;
   [[nodiscard]] const std::string& cell(std::size_t column) const { return cells_[column]; }
   /// A finite number. Throws CaseError.
   [[nodiscard]] double number(std::size_t column) const;

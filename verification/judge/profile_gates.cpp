@@ -252,6 +252,7 @@ SubmittedProfile read_profile(const std::filesystem::path& file) {
   std::vector<double> values[3];
   std::vector<Eigen::Index> cut;
   while (csv.next()) {
+    csv.require_all_cells();
     if (unresolved < csv.size() && csv.number(unresolved) != 0)
       cut.push_back(static_cast<Eigen::Index>(values[0].size()));
     for (std::size_t c = 0; c < 3; ++c) {

@@ -23,6 +23,7 @@ std::vector<std::vector<std::string>> cells_in(std::string_view text, std::size_
   CsvReader csv(folder.write("a.csv", text), any_csv, most_rows);
   std::vector<std::vector<std::string>> all{csv.header()};
   while (csv.next()) {
+    csv.require_all_cells();
     all.emplace_back();
     for (std::size_t column = 0; column < csv.size(); ++column) all.back().push_back(csv.cell(column));
   }

@@ -142,6 +142,41 @@ BOOST_AUTO_TEST_CASE(bad_csv_is_one_line_with_its_number) {
   refused(wide + "\n", "bad.csv:1: has 101 columns; allowed are up to 64");
 }
 
+BOOST_AUTO_TEST_CASE(all_faults_of_a_csv_are_named_at_once) {
+  const test::Folder folder;
+  const auto lines_of = [&](const std::string& text) {
+    std::vector<std::string> lines;
+    try {
+      (void)read_submission(folder.write("bad.csv", text));
+    } catch (const CaseError& error) {
+      lines.emplace_back(error.what());
+      lines.insert(lines.end(), error.more().begin(), error.more().end());
+    }
+    for (std::string& line : lines) line.erase(0, (folder.path() / "bad.csv").string().size());
+    return lines;
+  };
+  const auto check = [&](const std::string& text, const std::vector<std::string>& beginnings) {
+    const auto lines = lines_of(text);
+    BOOST_REQUIRE(lines.size() == beginnings.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) BOOST_TEST(lines[i].starts_with(beginnings[i]), lines[i]);
+  };
+  check("case,solver,vallue,wall\n",
+        {":1: column solver: is unknown", ":1: column vallue: is unknown; did you mean value?",
+         ":1: column wall: is unknown", ":1: column version is missing", ":1: column quantity is missing",
+         ":1: column scaling is missing"});
+  const std::string header = "case,version,quantity,value,scaling\n", good = "own-barus-5-5,1,film.minimum,0.2,hertz\n";
+  check(header + good + "own-barus-5-5,0.5,film.central,1,hertz\nown-barus-5-5,1,film.central,1\n" +
+            "own-moes-5-5,x,film.central,1,hertz\nown-moes-5-5,1,film.central,nan,hertz\n",
+        {":3: version = 0.5: is no version", ":4: has 4 cells", ":5: version = x: is not a number",
+         ":6: value = nan: is not finite"});
+  check(header + "own-barus-5-5,1,film.min,1,hertz\n\"own", {":2: film.min: is unknown", ":3: has a quotation mark"});
+  std::string many = header;
+  for (int row = 0; row < 100; ++row) many += "own-barus-5-5,1,film.minimum,x,hertz\n";
+  const auto lines = lines_of(many);
+  BOOST_REQUIRE(lines.size() == 21U);
+  BOOST_TEST(lines.back() == ":21: up to here; the lines behind are not read");
+}
+
 BOOST_AUTO_TEST_CASE(the_two_forms_say_the_same) {
   const test::Folder folder;
   const auto by_json =
