@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd cases: the benchmark cases, with how to cite each.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -19,11 +23,12 @@
 #include "io/bibliography.hpp"
 #include "io/case_citation.hpp"
 #include "io/case_reader.hpp"
+#include "io/faults.hpp"
 #include "io/file_text.hpp"
 #include "io/find_case.hpp"
+#include "io/near_miss.hpp"
 #include "io/tables.hpp"
 #include "verification/atlas/atlas.hpp"
-#include "io/faults.hpp"
 #include "workflow/case.hpp"
 
 namespace ehd::cli {
@@ -100,16 +105,44 @@ std::vector<Case> atlas_cases() {
   return points;
 }
 
-std::string listed_sources(const std::vector<Case>& cases, const Bibliography& bibliography, bool with_others) {
+constexpr std::string_view own_source = "own";
+
+std::filesystem::path references_file() { return cases_folder() / "references.bib"; }
+
+/// Absent where the folder of the cases has none: EHD_CASES may name any folder.
+std::optional<Bibliography> bibliography_of_cases() {
+  std::error_code error;
+  if (std::filesystem::status(references_file(), error).type() == std::filesystem::file_type::not_found)
+    return std::nullopt;
+  return read_bibliography(references_file());
+}
+
+std::vector<std::string> keys_of(const Bibliography& bibliography) {
+  std::vector<std::string> keys{std::string(own_source)};
+  for (const auto& [key, entry] : bibliography) keys.push_back(key);
+  return keys;
+}
+
+std::string listed_sources(const std::vector<Case>& cases, const std::optional<Bibliography>& known, bool with_others) {
   std::set<std::string> keys;
   for (const auto& any : cases) keys.insert(bibliography_key(any.source));
+  if (!known)
+    return "\n" + wrapped(fmt::format("sources: {} has no references.bib, and so no entries of {}",
+                                      cases_folder().string(), fmt::join(keys, ", ")),
+                          "  ");
+  const Bibliography& bibliography = *known;
   std::string text = "\nsources (cite the source of a case and this program; --bibtex prints the entries)\n";
   const auto line = [](const std::string& key, const std::string& citation) {
     return wrapped(fmt::format("  {}: {}", key, citation), "      ");
   };
   for (const auto& key : keys) {
     const auto entry = bibliography.find(key);
-    text += line(key, entry == bibliography.end() ? "not in references.bib" : entry->second.citation());
+    if (entry != bibliography.end())
+      text += line(key, entry->second.citation());
+    else
+      text += line(key, key == own_source ? "not in references.bib"
+                                          : "is not in references.bib; " + did_you_mean(key, keys_of(bibliography)) +
+                                                "a case of your own may name any source");
   }
   std::string others;
   for (const auto& [key, entry] : bibliography)
@@ -133,6 +166,19 @@ void require_citable(const std::vector<Case>& cases) {
       throw UsageError(
           one_line(fmt::format("--bibtex: {} is not in {}: it is no benchmark case and has no entry; allowed is {}",
                                any.file.string(), cases_folder().string(), allowed_id)));
+}
+
+/// An entry without its source would cite half of what has to be cited.
+void require_sources(const std::vector<Case>& cases, const Bibliography& bibliography) {
+  Faults faults;
+  for (const Case& any : cases) {
+    const std::string key = bibliography_key(any.source);
+    if (key == own_source || bibliography.contains(key)) continue;
+    faults.add(case_error(any, "source",
+                          fmt::format("has no entry in {}; {}allowed is \"own\", or \"bibkey, the exact place\"",
+                                      references_file().string(), did_you_mean(key, keys_of(bibliography)))));
+  }
+  faults.refuse();
 }
 
 int list(const CasesOptions& options) {
@@ -165,10 +211,13 @@ int list(const CasesOptions& options) {
     print(text);
     return success;
   }
-  const Bibliography bibliography = read_bibliography(cases_folder() / "references.bib");
+  const std::optional<Bibliography> bibliography = bibliography_of_cases();
   if (options.bibtex) {
     require_citable(cases);
-    print(all && !options.atlas ? bibtex_of_sources(bibliography) : bibtex_of_cases(cases, bibliography));
+    const bool of_sources = all && !options.atlas;
+    if (bibliography && !of_sources) require_sources(cases, *bibliography);
+    print(of_sources ? bibtex_of_sources(bibliography ? *bibliography : read_bibliography(references_file()))
+                     : bibtex_of_cases(cases, bibliography.value_or(Bibliography())));
     return success;
   }
   if (const auto points = all ? verification::atlas_files(verification::atlas_folder()).size() : 0; points > 0)

@@ -125,6 +125,7 @@ Json cases_json(const std::vector<Case>& cases) {
   for (const Case& any : cases) {
     Json one{{"case", any.id}, {"version", any.version}, {"title", any.title}, {"source", any.source}};
     if (std::holds_alternative<ContactCase>(any.body)) one["problem"] = problem_json(any);
+    if (const auto* bearing = std::get_if<BearingCase>(&any.body)) one["inputs"] = bearing_inputs_json(*bearing);
     one["expect"] = Json::array();
     for (const Expectation& expectation : any.expectations) one["expect"].push_back(expectation_json(expectation));
     json["cases"].push_back(one);

@@ -7,6 +7,7 @@
 
 #include "contact/nondimensional.hpp"
 #include "contact/rheology.hpp"
+#include "io/contact_json.hpp"
 #include "io/result_head.hpp"
 
 namespace ehd {
@@ -77,6 +78,36 @@ Json problem_json(const Case& contact_case) {
   } else {
     json["inlet"] = "flooded";
   }
+  return json;
+}
+
+Json bearing_inputs_json(const BearingCase& body) {
+  Json json = Json::object();
+  const bearing::Geometry& geometry = body.geometry;
+  Json& of_bearing = json["bearing"];
+  of_bearing["rollers"] = geometry.rollers;
+  put(of_bearing, "pitch_diameter_m", geometry.pitch_diameter_m);
+  put(of_bearing, "roller_diameter_m", geometry.roller_diameter_m);
+  put(of_bearing, "length_m", geometry.length_m);
+  put(of_bearing, "clearance_m", geometry.clearance_m);
+  put(of_bearing, "density_kg_per_m3", geometry.density_kg_per_m3);
+  put(of_bearing, "first_azimuth_deg", geometry.first_azimuth_deg);
+  put(of_bearing, "ring_thickness_m", body.ring_thickness_m);
+  put(of_bearing, "roughness_m", body.roughness_m);
+  put(json["operation"], "inner_speed_rpm", body.operation.inner_speed_rpm);
+  put(json["operation"], "outer_speed_rpm", body.operation.outer_speed_rpm);
+  put(json["operation"], "radial_load_N", body.operation.radial_load_N);
+  put(json["material"], "modulus_Pa", body.modulus_Pa);
+  put(json["material"], "poisson", body.poisson);
+  if (!body.lubricant) return json;  // the rest is of contacts with films
+  json["lubricant"] = to_json(body.lubricant->lubricant);
+  put(json["lubricant"], "viscosity_Pa_s", body.lubricant->viscosity_Pa_s);
+  if (body.lubricant->oil) json["oil"] = to_json(*body.lubricant->oil);
+  json["datum"]["law"] = std::visit([](const auto& datum) { return datum.name; }, body.datum);
+  if (const auto* palmgren = std::get_if<PalmgrenDatum>(&body.datum)) put(json["datum"], "load_N", palmgren->load_N);
+  if (const auto* length = std::get_if<LengthDatum>(&body.datum)) put(json["datum"], "x0_m", length->x0_m);
+  if (body.fit.load_N) json["fit"]["load_N"] = {body.fit.load_N->first, body.fit.load_N->second};
+  json["fit"]["points"] = body.fit.points;
   return json;
 }
 

@@ -11,4 +11,8 @@ namespace ehd {
 /// inlet. The case's expectations are not in it.
 [[nodiscard]] Json problem_json(const Case& contact_case);
 
+/// The numbers of a bearing case, by the tables and keys of its file, with their defaults. The speeds are those of both
+/// rings; an oil by its grade stands under "oil", and what follows from it under "lubricant".
+[[nodiscard]] Json bearing_inputs_json(const BearingCase& body);
+
 }  // namespace ehd

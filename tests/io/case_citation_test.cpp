@@ -101,6 +101,23 @@ BOOST_AUTO_TEST_CASE(the_citation_of_a_fit_states_no_uncertainty) {
   BOOST_TEST(solved.find("computed, relative uncertainty ") != std::string::npos, solved);
 }
 
+BOOST_AUTO_TEST_CASE(a_bearing_case_has_its_inputs_by_the_keys_of_its_file) {
+  const auto inputs_of = [](const std::string& id) {
+    return cases_json({read_case(find_case(id))})["cases"][0].value("inputs", Json());
+  };
+  BOOST_TEST(inputs_of("own-moes-20-10").is_null());
+  const Json dry = inputs_of("harris-209"), oiled = inputs_of("na4908");
+  BOOST_TEST(!dry.contains("lubricant"));
+  BOOST_TEST(dry["bearing"]["rollers"] == 14);
+  BOOST_TEST(dry["operation"]["outer_speed_rpm"] == 0.0);
+  BOOST_TEST(oiled["bearing"]["pitch_diameter_m"] == 0.053);
+  BOOST_TEST(oiled["operation"]["inner_speed_rpm"] == 5000.0);
+  BOOST_TEST(oiled["lubricant"]["viscosity_Pa_s"] == 0.02);
+  BOOST_TEST(oiled["lubricant"]["viscosity"] == "roelands");
+  BOOST_TEST(oiled["datum"]["law"] == "palmgren");
+  BOOST_TEST(oiled["fit"]["load_N"][1] == 12000.0);
+}
+
 BOOST_AUTO_TEST_CASE(the_problem_of_a_dry_contact_has_no_equation_of_a_film) {
   const auto equations_of = [](const char* id) {
     const Json json = cases_json({read_case(find_case(id))});

@@ -21,7 +21,7 @@ from judge import changes_of, numbers_in, objects  # noqa: E402
 from program import Program, read_case  # noqa: E402
 
 MODULES = ("contact", "oil", "convert", "bearing", "motion", "law", "films", "maps", "atlas", "compare", "statements",
-           "sweep", "verify", "figures", "bench", "response")
+           "sweep", "verify", "figures", "bench", "response", "cases")
 
 
 class Exemptions:
