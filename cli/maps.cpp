@@ -3,14 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
 #include "contact/quantities.hpp"
+#include "io/case_keys.hpp"
 #include "verification/atlas/atlas.hpp"
 #include "verification/studies/film_maps.hpp"
 #include "verification/studies/motion_maps.hpp"
@@ -36,11 +39,16 @@ Examples:
 
 The numbers are the certified ones of cases/atlas, which ehd atlas made. Only --table solves; nothing is judged.)";
 
+/// The films of the atlas that a formula is about.
+constexpr std::array map_films{Quantity::film_minimum, Quantity::film_central, Quantity::film_couette};
+
 Quantity film_named(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Quantity film : map_films) names.emplace_back(to_string(film));
   const auto quantity = quantity_from(name);
-  if (!quantity || std::ranges::find(judged_films, *quantity) == judged_films.end())
-    throw unknown_word_error("--quantity", name,
-                             fmt::format("{}, {}", to_string(judged_films[0]), to_string(judged_films[1])));
+  if (!quantity) throw unknown_word_error("--quantity", name, list(names));
+  if (std::ranges::find(map_films, *quantity) == map_films.end())
+    throw option_error("--quantity", name, "has no formula, and so no map; allowed is " + list(names));
   return *quantity;
 }
 
@@ -81,7 +89,8 @@ void describe_maps(Command& command) {
   command.summary("Film formulas and cut inlets against certified films, over M and L");
   command.examples(maps_examples);
   command.text("--output", options->output, "folder for formula_maps.csv and inlet_maps.csv").called("DIR");
-  command.text("--quantity", options->quantity, "film.minimum or film.central (both)").called("FILM");
+  command.text("--quantity", options->quantity, "film.minimum, film.central (with film.couette) or film.couette (all)")
+      .called("FILM");
   command.text("--laws", options->laws, "roelands or barus (roelands)").called("LAWS");
   command.flag("--table", options->table, "a table of films beside the formulas");
   command.flag("--motion", options->motion, "stiffness, damping and waviness over M and L");

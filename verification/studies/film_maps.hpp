@@ -59,8 +59,9 @@ inline constexpr double poor_formula = 0.30;   ///< "30 % or more off"
 [[nodiscard]] std::string known_percent(const MapValue& fraction);
 
 /// For every formula of `quantity` the deviations in percent over M and L, and for each L the M where it is close and
-/// where it is poor; then what an inlet cut at -4 costs. `quantity`: one of judged_films, the central film with the
-/// Couette film; absent: both. `laws`: barus or roelands; L = 0 is isoviscous in both.
+/// where it is poor; then what an inlet cut at -4 costs. `quantity`: a film, the central film with the
+/// Couette film; absent: all. Of the Couette film alone there is no cut inlet. `laws`: barus or roelands; L = 0 is
+/// isoviscous in both.
 [[nodiscard]] std::string human_maps(const FilmMaps& maps, std::optional<Quantity> quantity, AtlasLaws laws);
 
 /// A line for each formula and point, after a header line; all quantities and laws.

@@ -190,9 +190,18 @@ BOOST_AUTO_TEST_CASE(a_damaged_atlas_is_one_line_and_exit_code_2) {
 
 BOOST_AUTO_TEST_CASE(wrong_usage_of_maps_is_one_line) {
   const test::Folder folder;
-  for (const auto& [arguments, says] : {std::pair{"--quantity film.offset", "--quantity = film.offset: is unknown"},
-                                        {"--laws mineral", "--laws = mineral: is unknown; allowed is roelands, barus"}})
+  for (const auto& [arguments, says] :
+       {std::pair{"--quantity film.offset", "--quantity = film.offset: has no formula, and so no map; allowed is"},
+        {"--laws mineral", "--laws = mineral: is unknown; allowed is roelands, barus"}})
     test::check_refused(folder, std::string("maps ") + arguments, says);
+}
+
+BOOST_AUTO_TEST_CASE(the_couette_film_has_a_map_of_its_own) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "maps --quantity film.couette");
+  BOOST_TEST(ended.exit_code == 0);
+  BOOST_TEST(ended.out.find("film.couette: deviation in percent") != std::string::npos, ended.out);
+  for (const char* other : {"film.minimum", "film.central"}) BOOST_TEST(ended.out.find(other) == std::string::npos);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
