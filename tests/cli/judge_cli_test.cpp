@@ -176,6 +176,11 @@ BOOST_AUTO_TEST_CASE(another_program_that_fails_is_a_row_with_its_reason) {
   mine = run_of("kill -9 \\$\\$; cat {case} {out}");
   BOOST_TEST(mine["status"] == "diverged");
 
+  // The files of the exchange are gone: a message names them by their words.
+  const auto refused = test::ehd_run(folder, compared + "'mine=echo no >{out}; echo {case} is hard >&2; exit 3'");
+  BOOST_TEST(refused.out.find("ehd-external-") == std::string::npos, refused.out);
+  BOOST_TEST(refused.out.find("its submission is refused: {out}") != std::string::npos, refused.out);
+  BOOST_TEST(refused.out.find("{case} is hard") != std::string::npos, refused.out);
   test::check_refused(folder, "compare own-barus-5-5 --external 'a b {case} {out}'", "has no name");
   test::check_refused(folder, "compare own-barus-5-5 --external 'fast=true {case} {out}'", "has the name of another");
   test::check_refused(folder,
@@ -235,11 +240,6 @@ BOOST_AUTO_TEST_CASE(compare_marks_errors_above_the_tolerance_asked_for) {
   BOOST_TEST(no_film.err.find("has neither film.minimum nor film.central") != std::string::npos, no_film.err);
 }
 
-BOOST_AUTO_TEST_CASE(a_case_is_cited_shown_and_given_to_programs) {
-  const test::Folder folder;
-  const auto bibtex = test::ehd_run(folder, "cases kostreva-100lb-500rpm --bibtex");
-  BOOST_TEST(bibtex.exit_code == 0);
-  for (const char* part : {"@misc{ehd-kostreva-100lb-500rpm-v1,", "kostreva-100lb-500rpm@1", "1.14938",
 // EHD_CASES may name a folder without a bibliography. A mistyped source of a case there is named, once there is one.
 BOOST_AUTO_TEST_CASE(the_source_of_a_case_is_looked_up_where_there_is_a_bibliography) {
   const test::Folder folder;
@@ -278,6 +278,11 @@ BOOST_AUTO_TEST_CASE(the_source_of_a_case_is_looked_up_where_there_is_a_bibliogr
   BOOST_TEST(cited.err.find("did you mean kostreva1984?") != std::string::npos, cited.err);
 }
 
+BOOST_AUTO_TEST_CASE(a_case_is_cited_shown_and_given_to_programs) {
+  const test::Folder folder;
+  const auto bibtex = test::ehd_run(folder, "cases kostreva-100lb-500rpm --bibtex");
+  BOOST_TEST(bibtex.exit_code == 0);
+  for (const char* part : {"@misc{ehd-kostreva-100lb-500rpm-v1,", "kostreva-100lb-500rpm@1", "1.14938",
                            "@article{kostreva1984,", "@misc{own,"})
     BOOST_CHECK_MESSAGE(bibtex.out.find(part) != std::string::npos, part << " is not in " << bibtex.out);
   BOOST_TEST(bibtex.out.find("martin1916") == std::string::npos);

@@ -163,6 +163,13 @@ ExternalRun run_external(const ExternalSolver& solver, const Case& contact_case,
   }
   SolveRecord& record = run.solution.record;
   record.cost.wall_s = external.end.wall_s;
+  // The files are gone when somebody reads a message about them.
+  const auto without_paths = [&](std::string text) {
+    replace(text, exchange.problem().string(), std::string(case_word));
+    replace(text, exchange.submission().string(), std::string(out_word));
+    return text;
+  };
+  external.end.last_line = without_paths(external.end.last_line);
   const CommandEnd& end = external.end;
   const std::string ended = end.words + (end.last_line.empty() ? "" : ": " + end.last_line);
   record.reason = ended;
@@ -183,7 +190,7 @@ ExternalRun run_external(const ExternalSolver& solver, const Case& contact_case,
     record.status = StopReason::diverged;
     std::error_code ignored;
     record.reason = std::filesystem::exists(exchange.submission(), ignored)
-                        ? fmt::format("its submission is refused: {}; {}", fault.what(), ended)
+                        ? fmt::format("its submission is refused: {}; {}", without_paths(fault.what()), ended)
                         : "it left no submission; " + ended;
   }
   for (std::size_t film = 0; film < 2; ++film) {

@@ -63,7 +63,7 @@ View case_in(const View& judgement, const std::string& id) {
 
 /// Digits and whether the stated error was kept: "3.1", "3.1 !", "missing".
 TableCell digits_cell(const View& score) {
-  if (!score.exists()) return words("-");
+  if (!score.exists()) return {"-", "number"};
   if (score.flag("missing").value_or(false)) return {"missing", "number fail"};
   const bool missed = score.text("honesty") == "missed";
   const bool bounded = score.number("error").value_or(0) < score["certified"].number("uncertainty").value_or(0);
@@ -79,6 +79,17 @@ std::vector<std::string> quantities_in(const View& judgement) {
       names.emplace_back(row.name);
   }
   return names;
+}
+
+/// Leaves out each column behind the first without anything in it.
+void erase_empty_columns(Table& table) {
+  for (std::size_t column = table.columns.size(); column-- > 1;) {
+    const auto says_nothing = [&](const auto& row) { return row[column].html.empty() || row[column].html == "-"; };
+    if (!std::ranges::all_of(table.rows, says_nothing)) continue;
+    const auto at = static_cast<std::ptrdiff_t>(column);
+    table.columns.erase(table.columns.begin() + at);
+    for (auto& row : table.rows) row.erase(row.begin() + at);
+  }
 }
 
 std::string regime_of(const View& one) {
@@ -171,6 +182,7 @@ void add_gates_and_hints(Page& page, const View& judgement) {
       gates.rows.push_back({words(one.text("case")), words(gate.text("name")), number_cell(gate.number("error"), 2),
                             number_cell(gate.number("tolerance"), 2), verdict_cell(gate.text("verdict")),
                             words(gate.text("quadrature"))});
+  erase_empty_columns(gates);
   if (!gates.rows.empty()) page.add(gates);
   for (const View& one : judgement.list("cases"))
     for (const View& hint : one.list("hints"))
@@ -191,6 +203,7 @@ void add_solver(Page& page, const View& judgement) {
     regimes.rows.push_back({words(row.text("load")), words(row.text("material")), integer_cell(row.number("numbers")),
                             integer_cell(row.number("missing")), number_cell(row.number("median"), 2),
                             number_cell(row.number("worst"), 2), number_cell(row.number("median_given"), 2)});
+  erase_empty_columns(regimes);
   page.add(regimes);
   Table digits{.columns = {"case", "regime"}};
   const auto quantities = quantities_in(judgement);
@@ -204,6 +217,7 @@ void add_solver(Page& page, const View& judgement) {
     row.push_back(number_cell(one.number("wall_s"), 3));
     digits.rows.push_back(std::move(row));
   }
+  erase_empty_columns(digits);
   page.add_folded("Digits of every case", digits);
   add_gates_and_hints(page, judgement);
 }

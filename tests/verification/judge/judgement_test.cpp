@@ -458,6 +458,10 @@ BOOST_AUTO_TEST_CASE(the_page_and_the_badge_show_every_submission_and_no_total) 
   BOOST_TEST(page.find("<script>alert") == std::string::npos);
   BOOST_TEST(page.find("own-barus-5-5") != std::string::npos);
   BOOST_TEST(page.find("4.0") != std::string::npos);
+  // No column without a number: none has a time or a profile. A number that a case does not have stands where numbers
+  // do.
+  for (const char* absent : {"time [s]", "P, L2", "<td>-</td>", "<td class=\"name\">-</td>"})
+    BOOST_TEST(page.find(absent) == std::string::npos, absent);
   const std::string badge = report::judge_badge(judgement);
   BOOST_TEST(badge.starts_with("<svg"));
   BOOST_TEST(badge.find("<script>") == std::string::npos);
