@@ -19,6 +19,11 @@ namespace ehd {
 
 namespace {
 
+/// The contacts for which stated errors are calibrated: `ehd stress --part films`, and the findings stated-errors/ of
+/// `ehd verify`. Inlets that are cut nearer than nearest_tested_cut were tested at these M alone.
+constexpr double lightest_tested_M = 0.05, heaviest_tested_M = 5000, largest_tested_L = 30;
+constexpr double nearest_tested_cut = -2.5, lightest_near_cut_M = 0.3, heaviest_near_cut_M = 50;
+
 constexpr std::array table{
     UsualRange{.name = "surface speed",
                .fact = &Facts::surface_speed_m_per_s,
@@ -117,6 +122,26 @@ constexpr std::array table{
                .highest = 2e-2,
                .unit = "",
                .reason = "clearances are about a thousandth of the diameter, and more preload than this yields steel"},
+    UsualRange{.name = "M",
+               .fact = &Facts::M,
+               .lowest = lightest_tested_M,
+               .highest = heaviest_tested_M,
+               .unit = "",
+               .reason = "stated errors are calibrated for M of 0.05 to 5000"},
+    UsualRange{.name = "L",
+               .fact = &Facts::L,
+               .lowest = {},
+               .highest = largest_tested_L,
+               .unit = "",
+               .reason = "stated errors are calibrated for L of 0 to 30"},
+    UsualRange{.name = "the inlet's X",
+               .fact = &Facts::cut_X,
+               .lowest = {},
+               .highest = nearest_tested_cut,
+               .unit = "",
+               .reason =
+                   "stated errors are calibrated for cuts at -2.5 and before; nearer ones were tested at M of 0.3 "
+                   "to 50"},
 };
 
 /// The larger or the smaller of a number and one that may be absent.
@@ -139,6 +164,13 @@ std::span<const UsualRange> usual_ranges() { return table; }
 Facts facts_of(const ContactCase& contact, const ContactRun& run) {
   Facts facts;
   if (contact.lubricant) put_oil(facts, *contact.lubricant);
+  if (run.groups) {
+    facts.M = run.groups->M;
+    facts.L = run.groups->L;
+    const bool near_cuts_tested = *facts.M >= lightest_near_cut_M && *facts.M <= heaviest_near_cut_M;
+    const auto* cut = contact.inlet ? std::get_if<TruncatedAt>(&*contact.inlet) : nullptr;
+    if (cut && !near_cuts_tested) facts.cut_X = cut->x;
+  }
   if (run.scales) facts.hertz_pressure_Pa = run.scales->hertz_pressure_Pa;
   const auto film = run.solution.observables.find(Quantity::film_minimum);
   const std::optional<double> scale = run.m_per_hertz_film();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers that no ordinary contact or bearing has, most often from a slip of a unit: mm for m, mPa s for Pa s. A number
-// outside its usual range gives a note, never a refusal.
+// Numbers that no ordinary contact or bearing has, most often from a slip of a unit: mm for m, mPa s for Pa s; and
+// contacts outside the range in which stated errors were tested. A number outside its usual range gives a note, never a
+// refusal.
 //
 // To add one: a member of Facts, its value in facts_of, and a row in plausibility.cpp.
 #pragma once
@@ -20,6 +21,8 @@ struct RollerRow;
 
 /// What is known of a contact or a bearing, in SI. Absent: not known, or it has no such thing.
 struct Facts {
+  std::optional<double> M = {}, L = {};              ///< of a contact with a film
+  std::optional<double> cut_X = {};                  ///< where its inlet is cut; absent in a flooded one
   std::optional<double> surface_speed_m_per_s = {};  ///< the faster raceway; of a contact the mean of both surfaces
   std::optional<double> viscosity_Pa_s = {};
   std::optional<double> alpha_per_Pa = {}, p0_Pa = {};  ///< where the viscosity law reads them

@@ -98,6 +98,20 @@ BOOST_AUTO_TEST_CASE(a_contact_is_judged_in_SI_and_by_its_groups) {
   BOOST_TEST(notes(MoesGroups{20, 10}).empty());
   BOOST_REQUIRE(notes(MoesGroups{5000, 30}).size() == 1U);
   BOOST_TEST(notes(MoesGroups{5000, 30})[0].starts_with("p_H = 38.47 GPa is above 4 GPa"));
+  for (const auto& [groups, says] :
+       {std::pair{MoesGroups{0.04, 10}, "M = 0.04 is below 0.05: stated errors are calibrated for M of 0.05 to 5000"},
+        {MoesGroups{6000, 1}, "M = 6000 is above 5e3: stated errors are"},
+        {MoesGroups{20, 31}, "L = 31 is above 30: stated errors are calibrated for L of 0 to 30"}}) {
+    BOOST_REQUIRE(!notes(groups).empty());
+    BOOST_TEST(notes(groups)[0].starts_with(says), notes(groups)[0]);
+  }
+  contact.inlet = TruncatedAt{-2.4};
+  BOOST_TEST(notes(MoesGroups{20, 10}).empty());  // near cuts were tested there
+  BOOST_REQUIRE(notes(MoesGroups{100, 10}).size() == 1U);
+  BOOST_TEST(notes(MoesGroups{100, 10})[0].starts_with("the inlet's X = -2.4 is above -2.5: stated errors"));
+  contact.inlet = TruncatedAt{-2.5};
+  BOOST_TEST(notes(MoesGroups{100, 10}).empty());
+  contact.inlet = Flooded{};
   contact.lubricant->z.reset();
   Conditions conditions{.load_N_per_m = 1.1e5,
                         .reduced_radius_m = 1.2e-2,
@@ -111,7 +125,7 @@ BOOST_AUTO_TEST_CASE(a_contact_is_judged_in_SI_and_by_its_groups) {
   BOOST_TEST(notes(in_mm).at(0).starts_with("R = 12 m is above 2 m"));
   BOOST_TEST(notes(in_N_per_mm).at(0).starts_with("load = 110 N/m is below 1e3 N/m"));
   conditions.speed_sum_m_per_s = 500;
-  BOOST_REQUIRE(notes(conditions).size() == 1U);
+  BOOST_REQUIRE(notes(conditions).size() == 2U);  // and L, which that speed makes large
   BOOST_TEST(notes(conditions)[0].starts_with("surface speed = 250 m/s is above 200 m/s"));
 }
 
