@@ -99,8 +99,6 @@ int respond(const ResponseOptions& options) {
   const Case one = options.changes.read(options.case_name);
   if (!std::holds_alternative<ContactCase>(one.body))
     throw case_error(one, "bearing", "is no contact; allowed is a contact case");
-  if (options.csv && question.request.frequencies.empty() && question.frequencies_Hz.empty())
-    throw option_error("--csv", *options.csv, "has no frequency to list; allowed with --omega or --frequency");
   require_distinct({{"the case", one.file}},
                    {{"--json", options.json.value_or("")}, {"--csv", options.csv.value_or("")}});
   JsonTarget json(options.json);
@@ -153,7 +151,8 @@ void describe_response(Command& command) {
   command.text("--slip", options->slip, "speed of the waviness over u_m, 0 to 2 (1, pure rolling)");
   command.text("--x0-m", options->datum, "datum of the approach, for stiffness in SI (the half width b)");
   command.text("--json", options->json, "the result as JSON into a file, or - for standard output");
-  command.text("--csv", options->csv, "kappa over the frequencies as CSV, with stiffness and damping in SI")
+  command
+      .text("--csv", options->csv, "kappa over the frequencies as CSV, with stiffness and damping in SI; and the waves")
       .called("FILE");
   command.runs([options] { return respond(*options); });
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -105,28 +106,65 @@ Json to_json(const ResponseRun& run) {
   return json;
 }
 
+namespace {
+
+const std::vector<std::string> frequency_columns{"omega",
+                                                 "frequency_Hz",
+                                                 "kappa_real",
+                                                 "kappa_imag",
+                                                 "kappa_error",
+                                                 "stiffness_N_per_m2",
+                                                 "stiffness_error_N_per_m2",
+                                                 "damping_N_s_per_m2",
+                                                 "damping_error_N_s_per_m2"};
+const std::vector<std::string> wave_columns{"wavelength", "slip", "amplitude_ratio", "phase_deg", "amplitude_error"};
+constexpr int all_digits = 17;
+
+std::vector<std::string> frequency_cells(const ResponseRun& run, const Stiffness& at) {
+  const bool known = at.status != StopReason::diverged && std::isfinite(at.error);
+  const auto si = run.dynamic_stiffness(at);
+  std::vector<std::string> cells;
+  const auto add = [&](const std::optional<double>& value) { cells.push_back(csv_number(value, all_digits)); };
+  add(at.Omega);
+  add(run.frequency_Hz(at.Omega));
+  for (const double part : {at.kappa.real(), at.kappa.imag() + 0.0, at.error})
+    add(known ? std::optional(part) : std::nullopt);
+  add(si ? std::optional(si->stiffness_N_per_m2) : std::nullopt);
+  add(si ? std::optional(si->stiffness_error) : std::nullopt);
+  const bool damped = si && std::isfinite(si->damping_error);
+  add(damped ? std::optional(si->damping_N_s_per_m2) : std::nullopt);
+  add(damped ? std::optional(si->damping_error) : std::nullopt);
+  return cells;
+}
+
+std::vector<std::string> wave_cells(const WavinessResponse& at) {
+  const bool known = at.status != StopReason::diverged && std::isfinite(at.error);
+  std::vector<std::string> cells{csv_number(at.waviness.wavelength, all_digits),
+                                 csv_number(at.waviness.slip, all_digits)};
+  for (const double number : {at.amplitude_ratio(), at.phase_deg(), at.error})
+    cells.push_back(csv_number(known ? std::optional(number) : std::nullopt, all_digits));
+  return cells;
+}
+
+}  // namespace
+
 std::string response_csv(const ResponseRun& run) {
-  std::string text =
-      "omega,frequency_Hz,kappa_real,kappa_imag,kappa_error,stiffness_N_per_m2,stiffness_error_N_per_m2,"
-      "damping_N_s_per_m2,damping_error_N_s_per_m2,status\n";
-  constexpr int all_digits = 17;
-  for (const Stiffness& at : run.response.frequencies) {
-    const bool known = at.status != StopReason::diverged && std::isfinite(at.error);
-    const auto si = run.dynamic_stiffness(at);
-    std::vector<std::string> cells;
-    const auto add = [&](const std::optional<double>& value) { cells.push_back(csv_number(value, all_digits)); };
-    add(at.Omega);
-    add(run.frequency_Hz(at.Omega));
-    for (const double part : {at.kappa.real(), at.kappa.imag() + 0.0, at.error})
-      add(known ? std::optional(part) : std::nullopt);
-    add(si ? std::optional(si->stiffness_N_per_m2) : std::nullopt);
-    add(si ? std::optional(si->stiffness_error) : std::nullopt);
-    const bool damped = si && std::isfinite(si->damping_error);
-    add(damped ? std::optional(si->damping_N_s_per_m2) : std::nullopt);
-    add(damped ? std::optional(si->damping_error) : std::nullopt);
-    cells.emplace_back(to_string(at.status));
-    text += csv_line(cells);
-  }
+  const auto& frequencies = run.response.frequencies;
+  const auto& waves = run.response.waviness;
+  // Cells of the columns that the other kind of line has stay empty.
+  const std::size_t of_frequency = waves.empty() || !frequencies.empty() ? frequency_columns.size() : 0;
+  const std::size_t of_wave = waves.empty() ? 0 : wave_columns.size();
+  const auto line = [&](std::vector<std::string> frequency, const std::vector<std::string>& wave,
+                        const std::string& status) {
+    frequency.resize(of_frequency);
+    frequency.insert(frequency.end(), wave.begin(), wave.end());
+    frequency.resize(of_frequency + of_wave);
+    frequency.push_back(status);
+    return csv_line(frequency);
+  };
+  std::string text = line(frequency_columns, of_wave > 0 ? wave_columns : std::vector<std::string>(), "status");
+  for (const Stiffness& at : frequencies) text += line(frequency_cells(run, at), {}, std::string(to_string(at.status)));
+  for (const WavinessResponse& at : waves) text += line({}, wave_cells(at), std::string(to_string(at.status)));
   return text;
 }
 
@@ -141,6 +179,15 @@ std::string at_rest_text(const ResponseRun& run) {
         fmt::format("at rest  {} N/m^2, {} N s/m^2\n", with_absolute_error(si->stiffness_N_per_m2, si->stiffness_error),
                     with_absolute_error(si->damping_N_s_per_m2, si->damping_error));
   return text;
+}
+
+/// Leaves out each column without a number below its head: a case by its groups has no Hz, and nothing in SI.
+void erase_empty_columns(std::vector<std::vector<std::string>>& rows) {
+  if (rows.empty()) return;
+  for (std::size_t column = rows.front().size(); column-- > 0;) {
+    if (!std::all_of(rows.begin() + 1, rows.end(), [&](const auto& row) { return row[column].empty(); })) continue;
+    for (auto& row : rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
+  }
 }
 
 std::vector<std::string> stiffness_row(const ResponseRun& run, const Stiffness& at) {
@@ -173,6 +220,7 @@ std::string human_table(const ResponseRun& run, const std::string& title) {
   if (!response.frequencies.empty())
     rows.push_back({"Omega", "Hz", "Re kappa", "Im kappa", "error", "N/m^2", "N s/m^2", "status"});
   for (const Stiffness& at : response.frequencies) rows.push_back(stiffness_row(run, at));
+  erase_empty_columns(rows);
   if (!rows.empty()) text += "\n" + aligned(rows, 0);
   rows.clear();
   if (!response.waviness.empty())

@@ -12,8 +12,9 @@ namespace ehd {
 
 /// Numbers are finite; what is unknown, not asked for or not in SI is absent.
 [[nodiscard]] Json to_json(const ResponseRun& run);
-/// A header, and a line for each frequency. kappa has the relative error of the complex number. If the case is in SI,
-/// the line has stiffness and damping per length, with absolute errors. A cell is empty if its number is not known.
+/// A header, and a line for each frequency, then for each wave. kappa has the relative error of the complex number. If
+/// the case is in SI, the line has stiffness and damping per length, with absolute errors. A cell is empty if its
+/// number is not known. Columns of frequencies or of waves are there where the run has some.
 [[nodiscard]] std::string response_csv(const ResponseRun& run);
 [[nodiscard]] std::string human_table(const ResponseRun& run, const std::string& title);
 

@@ -156,9 +156,49 @@ BOOST_AUTO_TEST_CASE(the_csv_has_the_numbers_of_the_json_and_leaves_out_what_is_
     BOOST_TEST(lines[k].at("status") == rows[k]["status"].get<std::string>());
   }
   BOOST_TEST(empty == 5);
-  const auto waves = test::ehd_run(folder, "response own-moes-5-5 --wavelength 2 --csv " + csv);
-  BOOST_TEST(waves.exit_code == 2);
-  BOOST_TEST(waves.err.find("--csv") != std::string::npos);
+}
+
+// A line a wave, behind those of the frequencies; without frequencies there are the columns of waves alone.
+BOOST_AUTO_TEST_CASE(the_csv_has_the_waves_too) {
+  const test::Folder folder;
+  const std::string csv = (folder.path() / "a.csv").string();
+  for (const bool both : {false, true}) {
+    const auto ended = test::ehd_run(folder, fmt::format("response own-moes-5-5 {}--wavelength 2 --wavelength 3 --slip "
+                                                         "0.5 --json - --csv {}",
+                                                         both ? "--omega 1 " : "", csv));
+    BOOST_REQUIRE(ended.exit_code == 0);
+    const json waves = json::parse(ended.out)["waviness"];
+    const auto lines = csv_rows(test::read(csv));
+    BOOST_REQUIRE(lines.size() == (both ? 3u : 2u));
+    BOOST_TEST(lines[0].contains("omega") == both);
+    if (both) {
+      BOOST_TEST(lines[0].at("wavelength") == "");
+      BOOST_TEST(lines[0].at("kappa_real") != "");
+    }
+    for (std::size_t k = 0; k < waves.size(); ++k) {
+      const auto& line = lines[lines.size() - waves.size() + k];
+      for (const auto& [column, key] : {std::pair{"wavelength", "wavelength"},
+                                        {"slip", "slip"},
+                                        {"amplitude_ratio", "amplitude_ratio"},
+                                        {"phase_deg", "phase_deg"},
+                                        {"amplitude_error", "error"}})
+        BOOST_TEST(std::stod(line.at(column)) == waves[k][key].get<double>(), column);
+      BOOST_TEST(line.at("status") == "converged");
+      if (both) BOOST_TEST(line.at("kappa_real") == "");
+    }
+  }
+}
+
+// Groups alone fix no Hz and no N/m^2: the table has no such columns.
+BOOST_AUTO_TEST_CASE(the_table_of_a_case_by_its_groups_has_no_columns_in_SI) {
+  const test::Folder folder;
+  const auto by_groups = test::ehd_run(folder, "response own-moes-5-5 --omega 1"),
+             in_SI = test::ehd_run(folder, "response " + contact_in_SI(folder) + " --omega 1");
+  BOOST_TEST(by_groups.out.find("Re kappa") != std::string::npos, by_groups.out);
+  for (const char* head : {" Hz ", " N/m^2", " N s/m^2"}) {
+    BOOST_TEST(by_groups.out.find(head) == std::string::npos, head);
+    BOOST_TEST(in_SI.out.find(head) != std::string::npos, head);
+  }
 }
 
 // An imaginary part that is zero has no sign.
