@@ -14,6 +14,7 @@ struct BearingType {
   int rows = 1;
   bool full_complement = false;     ///< as many rollers as fit
   std::string_view clearance = {};  ///< between which surfaces, where there are not two rings
+  bool needles = false;             ///< slender rollers: the examples of a template are those of needles
 };
 
 inline constexpr std::string_view by_flanges =
@@ -28,7 +29,10 @@ inline constexpr BearingType bearing_types[] = {
     {.name = "NJ", .what = "one row, one flange on the inner ring too", .stated = by_flanges},
     {.name = "NUP", .what = "one row, both rings with two flanges", .stated = by_flanges},
     {.name = "N", .what = "one row, flanges on the inner ring", .stated = by_flanges},
-    {.name = "NA", .what = "needles, both rings", .stated = "State it as it is: a needle is a roller."},
+    {.name = "NA",
+     .what = "needles, both rings",
+     .stated = "State it as it is: a needle is a roller.",
+     .needles = true},
     {.name = "RNU",
      .what = "one row without an inner ring",
      .stated =
@@ -38,16 +42,19 @@ inline constexpr BearingType bearing_types[] = {
      .what = "needles without an inner ring",
      .stated =
          "The shaft is the inner raceway. The clearance is that on the shaft, the pitch diameter that of the centres.",
-     .clearance = "outer raceway less shaft less two roller diameters"},
+     .clearance = "outer raceway less shaft less two roller diameters",
+     .needles = true},
     {.name = "HK",
      .what = "needles in a drawn cup",
      .stated = "The shaft is the inner raceway. The clearance is that of the cup pressed into its bore.",
-     .clearance = "inside of the pressed cup less shaft less two needle diameters"},
+     .clearance = "inside of the pressed cup less shaft less two needle diameters",
+     .needles = true},
     {.name = "K",
      .what = "needles in a cage without rings",
      .stated = "Shaft and bore are the raceways. The clearance is bore less shaft less two needle diameters. The cage "
                "keeps the needles apart; ehd takes rollers as equally spaced, with a cage or without.",
-     .clearance = "bore less shaft less two needle diameters"},
+     .clearance = "bore less shaft less two needle diameters",
+     .needles = true},
     {.name = "NCF",
      .what = "one row, full complement",
      .stated = "No cage parts the rollers: at most pi/asin(D/d_m) of them fit, D and d_m the diameters of roller and "

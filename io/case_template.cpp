@@ -82,9 +82,23 @@ bool is_written(const CaseTable& table, CaseKind kind) {
   return table.role == TableRole::heading;
 }
 
+/// In place of the examples of io/case_keys, which are those of a cylindrical roller bearing: needles of 2 mm on a
+/// shaft of 20 mm.
+struct NeedleExample {
+  std::string_view key, value;
+};
+constexpr NeedleExample needle_examples[] = {{"rollers", "20"},
+                                             {"pitch_diameter_m", "0.022"},
+                                             {"roller_diameter_m", "0.002"},
+                                             {"length_m", "0.015"},
+                                             {"ring_thickness_m", "0.001"}};
+
 /// `type`: of a bearing; null where none is asked for.
 std::string value_of(const CaseKey& key, CaseKind kind, const std::string& id, const BearingType* type) {
   if (key.name == "rollers" && type && type->full_complement) return std::to_string(full_complement());
+  if (type && type->needles)
+    for (const NeedleExample& example : needle_examples)
+      if (key.name == example.key) return std::string(example.value);
   if (key.name == "id") return "\"" + id + "\"";
   if (key.name == "title") return kind == CaseKind::contact ? "\"a contact\"" : "\"a bearing\"";
   // Of [[expect]]: the rows' examples are those of a contact.

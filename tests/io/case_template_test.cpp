@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "bearing/geometry.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_reader.hpp"
 #include "io/case_text.hpp"
@@ -62,6 +63,20 @@ BOOST_AUTO_TEST_CASE(every_type_of_bearing_has_a_template_that_says_how_it_is_st
     for (const std::string& line : lines_of(text)) BOOST_TEST(line.size() <= 100u, line);
   }
   BOOST_TEST(names.size() >= 10u);
+}
+
+// Needles are 2.5 to 10 times as long as thick (ISO 3096), and no thicker than 6 mm; other rollers are short.
+BOOST_AUTO_TEST_CASE(a_template_of_needles_has_needles) {
+  int needles = 0;
+  for (const BearingType& type : bearing_types) {
+    const bool of_needles = type.what.find("needle") != std::string_view::npos;
+    const auto geometry = std::get<BearingCase>(read_case(bearing_template(type, "mine"), "mine.toml").body).geometry;
+    const double slender = geometry.length_m / geometry.roller_diameter_m;
+    BOOST_TEST((slender >= 2.5 && slender <= 10 && geometry.roller_diameter_m <= 6e-3) == of_needles, type.name);
+    BOOST_TEST(geometry.rollers <= bearing::most_rollers(geometry.pitch_diameter_m, geometry.roller_diameter_m));
+    needles += of_needles ? 1 : 0;
+  }
+  BOOST_TEST(needles == 4);
 }
 
 BOOST_AUTO_TEST_CASE(keys_that_mean_something_else_in_a_type_say_so_and_a_full_complement_is_full) {
