@@ -23,9 +23,9 @@ using report::Panel;
 using report::PolarPlot;
 
 constexpr double micro = 1e6, mega = 1e-6, kilo = 1e-3;
-constexpr std::size_t longest_title = 80;
-constexpr std::size_t most_columns = 3;   // of a picture of several bearings
-constexpr double width_of_several = 400;  // of a picture among them
+constexpr std::size_t longest_title = 240;  // several lines
+constexpr std::size_t most_columns = 3;     // of a picture of several bearings
+constexpr double width_of_several = 400;    // of a picture among them
 
 std::string shown(const std::string& title) { return report::literal(shortened(one_line(title), longest_title)); }
 

@@ -17,6 +17,7 @@ double Claim::margin() const {
 }
 
 Claim claim(Sentence says, double error, double uncertainty, Tolerance tolerance, std::string note) {
+  note.erase(note.find_last_not_of("; ") + 1);  // behind the last part of a list
   const Verdict verdict = judge(error, uncertainty, tolerance);
   return {.says = std::move(says),
           .error = error,

@@ -94,8 +94,8 @@ std::string human_summary(const SuiteResult& result, bool all) {
                      std::to_string(summary.skipped), summary.worst_margin ? percent(*summary.worst_margin, 3) : "-"});
   }
   table.push_back({"all", "", "", std::to_string(total[0]), std::to_string(total[1]), std::to_string(total[2]),
-                   std::to_string(result.skipped.size()), plain(result.wall_s, 3) + " s"});
-  text += aligned(table, 3);
+                   std::to_string(result.skipped.size()), ""});
+  text += aligned(table, 3) + fmt::format("time {} s\n", plain(result.wall_s, 3));
   if (nothing_judged) {
     const std::size_t rows = result.skipped.size();
     text += fmt::format("nothing could be judged: {}{} skipped, for the reasons above\n", rows,

@@ -120,6 +120,8 @@ BOOST_AUTO_TEST_CASE(every_title_fits_its_figure) {
   const std::string contact = made("dry-steel", "wide-contact", wide_title),
                     bearing = made("na4908", long_id, wide_title);
   const auto file = folder.path() / "a.svg";
+  (void)test::ehd_run(folder, "solve " + contact + " --plot " + file.string());
+  BOOST_TEST(test::read(file).find("heaviest load of all") != std::string::npos);  // to its end, in several lines
   const std::vector<std::string> figures{"solve dry-steel",
                                          "solve own-moes-5-5 --tolerance 1e-2",
                                          "solve " + contact,

@@ -106,6 +106,12 @@ std::function<Findings()> claims_called(const std::string& id) {
 
 BOOST_AUTO_TEST_SUITE(claim)
 
+BOOST_AUTO_TEST_CASE(the_note_of_a_claim_does_not_end_in_a_separator) {
+  BOOST_TEST(ehd::verification::claim(sentence("a"), 0, 0, one_percent, "one; two; ").note == "one; two");
+  BOOST_TEST(claim_finding(sentence("a"), "one (two); ").note == "one (two)");
+  BOOST_TEST(claim_fact(sentence("a"), true, "here", "; ").note == "");
+}
+
 BOOST_AUTO_TEST_CASE(a_value_is_judged_relative_to_what_is_expected) {
   const Claim near = claim_value(sentence("near"), 0.2518, 0.25, 0.001, one_percent);
   EHD_CHECK(error(near.error, 0.0072), Tolerance::round_off(8, 1000));

@@ -110,7 +110,7 @@ Findings judge_flooded(MoesGroups moes) {
     const Solution solution = solver.solve(problem_of(moes, inlet), {.tolerance = tolerance});
     const Reading* seen = reading(solution, Quantity::film_central);
     if (!seen) {
-      ended += fmt::format("cut {} {}; ", plain(cut), to_string(solution.record.status));
+      ended += fmt::format("; cut {} {}", plain(cut), to_string(solution.record.status));
       return nothing;
     }
     error = worse(error, seen->error.value());
@@ -132,7 +132,7 @@ Findings judge_flooded(MoesGroups moes) {
                                                  point),
                         .solver = solver.name},
                        central.back(), truth, 2 * error,
-                       Tolerance::required(1e-9, "flooded inlets to 1e-9 of the central film"), note + "; " + ended)},
+                       Tolerance::required(1e-9, "flooded inlets to 1e-9 of the central film"), note + ended)},
           {}};
 }
 

@@ -230,6 +230,52 @@ void Page::figure(PolarPlot plot, const std::string& caption_html) {
   body_ += framed(plot.id, draw(plot, Place::page), caption_html, "polar");
 }
 
+namespace {
+
+/// The end of the element that begins at `at`, if its text is no text of the page: a picture or a script. Else the end
+/// of the tag.
+std::size_t end_of_tag(const std::string& html, std::size_t at) {
+  for (const std::string_view name : {"svg", "script", "style"}) {
+    if (html.compare(at + 1, name.size(), name) != 0) continue;
+    const std::string end = fmt::format("</{}>", name);
+    const std::size_t found = html.find(end, at);
+    return found == std::string::npos ? html.size() : found + end.size();
+  }
+  const std::size_t found = html.find('>', at);
+  return found == std::string::npos ? html.size() : found + 1;
+}
+
+bool is_in(char c, std::string_view set) { return set.find(c) != std::string_view::npos; }
+
+/// A browser breaks a line behind a hyphen. Numbers such as 1e-5 and 8.6(4)e-3 are kept whole.
+std::string with_whole_numbers(const std::string& html) {
+  constexpr std::string_view digits = "0123456789", of_mantissa = "0123456789.()";
+  std::string text;
+  for (std::size_t at = 0; at < html.size();) {
+    if (html[at] == '<') {
+      const std::size_t end = end_of_tag(html, at);
+      text.append(html, at, end - at);
+      at = end;
+      continue;
+    }
+    std::size_t end = at;
+    while (end < html.size() && is_in(html[end], of_mantissa)) ++end;
+    const bool number = end > at && is_in(html[at], digits) && html.compare(end, 2, "e-") == 0 &&
+                        end + 2 < html.size() && is_in(html[end + 2], digits);
+    if (number) {
+      end = std::min(html.find_first_not_of(digits, end + 2), html.size());
+      text += "<span class=\"whole\">" + html.substr(at, end - at) + "</span>";
+    } else {
+      end = std::max(end, at + 1);
+      text.append(html, at, end - at);
+    }
+    at = end;
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string Page::document(const std::string& title) const {
   // A page that asks for an icon would look for one on the network. The style of pictures stands apart, since the
   // script puts it into pictures that are saved, with the colours of `data-colours`.
@@ -259,7 +305,7 @@ std::string Page::document(const std::string& title) const {
   return fmt::format(whole, fmt::arg("title", escaped(title)), fmt::arg("light", light_colours()),
                      fmt::arg("dark", dark_colours()), fmt::arg("page_style", page_style()),
                      fmt::arg("picture_style", picture_style()), fmt::arg("navigation", navigation_),
-                     fmt::arg("body", body_), fmt::arg("end", open_ ? "</section>\n" : ""),
+                     fmt::arg("body", with_whole_numbers(body_)), fmt::arg("end", open_ ? "</section>\n" : ""),
                      fmt::arg("figure_script", figure_script()), fmt::arg("page_script", page_script()));
 }
 

@@ -36,6 +36,7 @@ h2{font-size:1.35rem;margin:40px 0 10px;padding-top:10px;border-top:2px solid va
 h3{font-size:1.08rem;margin:26px 0 8px}
 p{max-width:80ch;margin:8px 0}
 a{color:var(--s1)}
+.whole{white-space:nowrap}
 code{font:0.9em ui-monospace,Menlo,Consolas,monospace;overflow-wrap:break-word}
 pre{white-space:pre-wrap;overflow-wrap:anywhere;background:var(--panel);padding:10px 12px;
 font:0.85rem ui-monospace,Menlo,Consolas,monospace}

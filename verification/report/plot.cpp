@@ -288,7 +288,8 @@ std::size_t curves_in(const Box& box, const Panel& panel, const Mappings& to) {
   return count;
 }
 
-/// The label of a rule: at its right end or at its left one, above it or below, where the fewest curves pass.
+/// The label of a rule: at its right end, at its left one or between them, above it or below, where the fewest curves
+/// pass.
 std::string rule_label_svg(const Rule& rule, double at, const Panel& panel, const Mappings& to, const Box& box) {
   constexpr double height = 11, mark = 5, edge = 5;  // pixels
   const double width = stretch * text_width(rule.label, small_font);
@@ -298,9 +299,12 @@ std::string rule_label_svg(const Rule& rule, double at, const Panel& panel, cons
     std::size_t curves;
   };
   std::optional<Spot> best;
-  for (const bool right : {true, false}) {
+  constexpr double places[] = {1, 0, 0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875};  // 0: the left end
+  for (const double place : places) {
+    const bool right = place == 1;
     for (const bool above : {true, false}) {
-      const double base = at + (above ? -4 : height + 2), from = right ? box.right - edge - width : box.left + edge + 3;
+      const double first = box.left + edge + 3, last = box.right - edge - width;
+      const double base = at + (above ? -4 : height + 2), from = first + place * (last - first);
       if (base - height < box.top || base > box.bottom) continue;
       const Box taken{from - mark, base - height - mark, from + width + mark, base + mark};
       const Spot spot{{right ? box.right - edge : from, base}, right ? "end" : "start", curves_in(taken, panel, to)};

@@ -171,8 +171,8 @@ BOOST_AUTO_TEST_CASE(labels_of_ticks_do_not_touch_in_a_narrow_panel) {
 
 // The label of a rule stands where no curve passes: at the other end, or on the other side.
 BOOST_AUTO_TEST_CASE(the_label_of_a_rule_avoids_the_curves) {
-  const auto anchor = [](const std::vector<double>& y) {
-    Figure figure = figure_of({0, 1, 2, 3}, y);
+  const auto anchor = [](const std::vector<double>& y, const std::vector<double>& x = {0, 1, 2, 3}) {
+    Figure figure = figure_of(x, y);
     figure.panels.front().y.low = 0;
     figure.panels.front().y.high = 10;
     figure.panels.front().rules.push_back({5, "a rule"});
@@ -182,6 +182,11 @@ BOOST_AUTO_TEST_CASE(the_label_of_a_rule_avoids_the_curves) {
   };
   BOOST_TEST(count_of(anchor({1, 1, 1, 1}), "text-anchor=\"end\"") == 1u);
   BOOST_TEST(count_of(anchor({1, 1, 1, 5}), "text-anchor=\"end\"") == 0u);
+  // Between the ends, where curves are in the way at both.
+  const auto x = [](const std::string& text) { return std::stod(text.substr(text.find(" x=\"") + 4)); };
+  const std::string between = anchor({5, 5, 1, 1, 5, 5}, {0, 0.6, 0.7, 2.3, 2.4, 3});
+  BOOST_TEST(count_of(between, "text-anchor=\"end\"") == 0u);
+  BOOST_TEST(x(between) > x(anchor({1, 1, 1, 5})) + 50);
   const auto y = [](const std::string& text) { return std::stod(text.substr(text.find(" y=\"") + 4)); };
   const std::string above = anchor({1, 1, 1, 1}), below = anchor({5.3, 5.3, 5.3, 5.3});
   BOOST_TEST(count_of(below, "text-anchor=\"end\"") == 1u);

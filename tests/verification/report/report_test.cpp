@@ -463,7 +463,8 @@ BOOST_AUTO_TEST_CASE(bearings_of_one_family_share_their_scales) {
 BOOST_AUTO_TEST_CASE(an_answer_has_its_cost_in_ms_and_in_c) {
   const std::string page = without_columns(made_page());
   BOOST_TEST(count_of(page,
-                      "<th scope=\"row\">both films to 1e-3</th><td>box</td><td class=\"number\">24</td>"
+                      "<th scope=\"row\">both films to <span class=\"whole\">1e-3</span></th><td>box</td><td "
+                      "class=\"number\">24</td>"
                       "<td class=\"number\">0</td><td class=\"number\">24</td><td class=\"number\">6</td>") == 1u);
   BOOST_TEST(count_of(page, "<td class=\"number\">1200</td></tr>") == 1u);  // 6 ms over 5 us
   const std::string without = made_page([](report::Documents& documents) { documents.bench.erase("cost"); });
@@ -645,6 +646,26 @@ BOOST_AUTO_TEST_CASE(a_cut_pressure_is_called_unresolved) {
   BOOST_REQUIRE_EQUAL(figure(1.5).panels.front().rules.size(), 1u);
   BOOST_TEST(figure(1.5).panels.front().rules.front().y == 1.5);
   BOOST_TEST(count_of(report::draw(figure(1.5), report::Place::file), "unresolved") > 0u);
+}
+
+// The oil ends at the exit, next to the spike: the frame does not.
+BOOST_AUTO_TEST_CASE(the_frame_keeps_off_the_spike_at_the_exit) {
+  const auto figure = report::contact_figure(
+      "fig", "made", {{"fast", {-2, -1, 0, 0.99, 1}, {0, 0.1, 1, 0.8, 0}, {1, 1, 0.1, 0.1, 0.1}}});
+  BOOST_TEST(figure.panels.front().x.high.value() >= 1.05);
+}
+
+// A browser would break a line behind the hyphen of 1e-5.
+BOOST_AUTO_TEST_CASE(a_number_with_an_exponent_is_not_broken) {
+  const std::string page = made_page([](report::Documents& documents) {
+    documents.results["claims"][0]["note"] = "4.2e-5, 8.6(4)e-12 and 3e5; made-2 e-7; under 1e-";
+  });
+  for (const char* whole : {"<span class=\"whole\">4.2e-5</span>, <span class=\"whole\">8.6(4)e-12</span> and 3e5; "
+                            "made-2 e-7; under 1e-",
+                            ".whole{white-space:nowrap}"})
+    BOOST_TEST(page.find(whole) != std::string::npos, whole);
+  for (std::size_t at = 0; (at = page.find("<svg", at)) != std::string::npos; ++at)
+    BOOST_TEST(page.substr(at, page.find("</svg>", at) - at).find("class=\"whole\"") == std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(results_that_nobody_can_place_are_refused_with_their_path) {
