@@ -72,10 +72,13 @@ Case CaseChanges::read(const std::string& name) const {
   const std::vector<Substitution> substitutions = substitutions_of(settings);
   try {
     Case one = read_named_case(name, substitutions);
+    // The title says what the file states, which may be what is changed.
+    const char* before = " (changed: ";
     for (const std::string& setting : settings) {  // as it was typed: 1e4, not 10000.0
       const auto [key, value] = key_and_value(setting);
-      one.title += fmt::format(", {} = {}", key, one_line(value));
+      one.title += fmt::format("{}{} = {}", std::exchange(before, ", "), key, one_line(value));
     }
+    if (!settings.empty()) one.title += ")";
     return one;
   } catch (const CaseError& error) {
     if (settings.empty() || !is_sound_alone(name)) throw;

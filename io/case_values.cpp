@@ -67,6 +67,14 @@ std::string no_number(const CaseNode& node, const std::string& allowed) {
   return fmt::format("{}; allowed is {}", text ? fault_of_text(*text) : "is " + node.type, allowed);
 }
 
+/// "-4" in quotation marks.
+bool is_quoted_number(const std::string& word) {
+  double x = 0;
+  const char* const end = word.data() + word.size();
+  const auto read = std::from_chars(without_plus(word).data(), end, x);
+  return !word.empty() && read.ptr == end && read.ec == std::errc();
+}
+
 /// "did you mean 32 or 46? " for 45: the neighbours among a few numbers that increase. A text may hold the number:
 /// "46", "VG 46".
 std::string near_numbers(const CaseNode& node, std::span<const double> few) {
@@ -158,7 +166,10 @@ Inlet inlet(const CaseTree& tree, std::string_view key) {
   const CaseNode& node = required(tree, key);
   if (const auto* word = std::get_if<std::string>(&node.content)) {
     if (*word == range.word) return Flooded{};
-    refuse("is unknown");
+    if (const std::string comma = comma_in_number(*word); !comma.empty()) tree.fail(key, comma);
+    if (is_quoted_number(*word)) refuse("is a text; a number has no quotation marks, " + *word);
+    tree.fail(key, fmt::format("is unknown; {}allowed is {}", did_you_mean(*word, {std::string(range.word)}),
+                               text_of(row.allowed)));
   }
   const auto x = node.number();
   if (!x) refuse("is " + node.type);

@@ -151,7 +151,7 @@ std::string formulas_table(const ContactRun& run) {
     rows.push_back({formula.name, std::string(to_string(formula.of)), plain(shown_per_moes * formula.moes_film, 4),
                     film > 0 ? percent(formula.moes_film / film - 1, 2) : ""});
   }
-  return fmt::format("\nfilm formulas, {} (published fits, for comparison only{})\n{}",
+  return fmt::format("\nfilm formulas, {} (published fits for flooded inlets, for comparison only{})\n{}",
                      metres ? unit.name : "Moes units", run.known_G() ? "" : "; G = 5000 assumed",
                      aligned(rows, 2, "  "));
 }

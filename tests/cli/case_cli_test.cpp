@@ -445,6 +445,27 @@ BOOST_AUTO_TEST_CASE(all_wrong_cases_and_numbers_of_a_command_are_named_at_once)
   }
 }
 
+BOOST_AUTO_TEST_CASE(an_inlet_in_quotation_marks_is_explained) {
+  const test::Folder folder;
+  test::check_refused(folder, "solve own-moes-5-5 --set 'domain.inlet=\"-4\"'",
+                      "is a text; a number has no quotation marks, -4; allowed is \"flooded\", or X = x/b");
+  test::check_refused(folder, "solve own-moes-5-5 --set domain.inlet=floded",
+                      "is unknown; did you mean flooded? allowed is \"flooded\"");
+  test::check_refused(folder, "solve own-moes-5-5 --set domain.inlet=nowhere", "is unknown; allowed is \"flooded\"");
+  test::check_refused(folder, "solve own-moes-5-5 --set 'domain.inlet=\"-4,5\"'", "has a comma in a number");
+}
+
+// The title of the file may say another value.
+BOOST_AUTO_TEST_CASE(the_title_says_what_is_changed) {
+  const test::Folder folder;
+  const auto ended =
+      test::ehd_run(folder, "solve own-moes-20-10 --tolerance 1e-2 --set domain.inlet=-6 --set moes.M=2e1");
+  BOOST_TEST(ended.out.starts_with("own-moes-20-10: Moderate load, Roelands, compressible, inlet cut at X = -4 "
+                                   "(changed: domain.inlet = -6, moes.M = 2e1)\n"),
+             ended.out);
+  BOOST_TEST(ended.out.find("(published fits for flooded inlets, for comparison only") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(near_misses_of_options_commands_and_cases_are_named) {
   const test::Folder folder;
   test::check_refused(folder, "solve own-moes-5-5 --tolerence 1e-3", "--tolerence: unknown; did you mean --tolerance?");
