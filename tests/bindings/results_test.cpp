@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A result through the C interface is that of the program.
+#include <stdlib.h>  // setenv
+
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <clocale>
 #include <cmath>
+#include <cstdio>
+#include <locale>
 #include <map>
+#include <sstream>
 #include <string>
 
 #include "tests/bindings/held.hpp"
@@ -51,6 +57,67 @@ BOOST_AUTO_TEST_CASE(the_json_of_a_bearing_is_that_of_the_program_without_its_er
     expected.erase("error_budget");
     BOOST_TEST(without_times(one.json()).dump() == without_times(expected).dump());
   }
+}
+
+namespace {
+
+/// The decimal sign of streams, as a host program may set it.
+struct WithComma : std::numpunct<char> {
+  [[nodiscard]] char do_decimal_point() const override { return ','; }
+  [[nodiscard]] char do_thousands_sep() const override { return '.'; }
+  [[nodiscard]] std::string do_grouping() const override { return "\3"; }
+};
+
+/// Numbers with a comma, in streams and in the functions of C, while it lives. For those a German locale is made in
+/// the folder; `in_C` is false where this machine cannot make one.
+class CommaLocale {
+ public:
+  explicit CommaLocale(const Folder& folder) : before_(std::locale::global({std::locale(), new WithComma})) {
+    const std::string name = "de_DE.UTF-8", made = (folder.path() / name).string();
+    if (std::system(fmt::format("localedef -i de_DE -f UTF-8 '{}' > '{}.log' 2>&1", made, made).c_str()) != 0) return;
+    ::setenv("LOCPATH", folder.path().c_str(), 1);
+    in_C = std::setlocale(LC_ALL, name.c_str()) != nullptr;
+  }
+  ~CommaLocale() {
+    std::setlocale(LC_ALL, "C");
+    std::locale::global(before_);
+    ::unsetenv("LOCPATH");
+  }
+  CommaLocale(const CommaLocale&) = delete;
+  CommaLocale& operator=(const CommaLocale&) = delete;
+  bool in_C = false;
+
+ private:
+  std::locale before_;
+};
+
+/// What the library says of a contact, of a bearing, and of a wrong number.
+std::string all_said() {
+  const Held contact = solve(case_text("steel-roller")), balanced = bearing(case_text("na4908"), "ehd-linear");
+  BOOST_TEST(contact.code == EHD_OK);
+  BOOST_TEST(balanced.code == EHD_OK);
+  BOOST_TEST(solve_moes(20.5, 1234.5).code == EHD_BAD_INPUT);
+  return without_times(contact.json()).dump() + without_times(balanced.json()).dump() + ehd_last_error() +
+         fmt::format(" {} {}", contact.get("film.minimum.m"), balanced.get("displacement_m"));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(numbers_keep_their_point_where_the_host_writes_commas) {
+  const std::string before = all_said();
+  const Folder folder;
+  const CommaLocale comma(folder);
+  std::ostringstream written;
+  written << 1234.5;
+  BOOST_REQUIRE(written.str() == "1.234,5");
+  if (comma.in_C) {
+    char text[8] = {};
+    BOOST_REQUIRE(std::snprintf(text, sizeof text, "%.1f", 1.5) == 3);
+    BOOST_REQUIRE(std::string(text) == "1,5");
+  } else {
+    BOOST_TEST_MESSAGE("no German locale: the functions of C keep their point");
+  }
+  BOOST_TEST(all_said() == before);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_are_found_by_their_path) {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "bearing/law_table.hpp"
+#include "bearing/response_curve.hpp"
 #include "contact/hertz.hpp"
 #include "contact/nondimensional.hpp"
 #include "io/bearing_csv.hpp"
@@ -16,6 +17,7 @@
 #include "tests/check.hpp"
 #include "tests/made_bearing.hpp"
 #include "workflow/law_export.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd {
 
@@ -154,6 +156,29 @@ BOOST_AUTO_TEST_CASE(a_fast_motion_asks_for_its_own_response) {
   EHD_CHECK(error(fast.imag() / slow.real(), (1 - Omega * Omega) * Omega / 10), curve);
 }
 
+// An error of the film is one of the force by the film's part of the approach, and of the motion by as much as the
+// stiffness changes over that force.
+BOOST_AUTO_TEST_CASE(the_error_of_the_films_counts_in_motion_by_their_part_of_the_approach) {
+  const auto at_rest = [](double stated) {
+    ContactMemory memory(
+        [stated](const Problem& problem, const Request&) { return verification::made::contact(problem, stated); });
+    memory.respond_by(made_response);
+    return moved(needle_bearing(0), bearing::Law::ehd, {0}, memory);
+  };
+  constexpr double stated = 1e-3;
+  const BearingResult exact = at_rest(1e-12), result = at_rest(stated);
+  const auto force_of = [&](std::size_t j) { return result.rollers[j].inner.force_N; };
+  const auto& rollers = result.dynamics.at(0).rollers;
+  const double K = rollers[0].inner.stiffness_N_per_m;
+  const double power = std::log(K / rollers[1].inner.stiffness_N_per_m) / std::log(force_of(0) / force_of(1));
+  const bearing::FilmCurve& curve = result.curve->inner;
+  const double part = curve.offset_film(force_of(0)).value / curve.rise_m(force_of(0));
+  BOOST_TEST(part < 0.3);
+  const double grown = rollers[0].inner.stiffness_error - exact.dynamics.at(0).rollers[0].inner.stiffness_error;
+  EHD_CHECK(error(grown, power * K * bearing::force_error_by_datum * stated * part),
+            Tolerance::required(0.2, "the stiffness as a power of the force between two rollers"));
+}
+
 // The certified solver takes a hundred times as long. A spike that no grid resolves is no reason to call it.
 BOOST_AUTO_TEST_CASE(a_heavy_contact_of_a_bearing_is_answered_by_the_default_solver) {
   const Lubricant oil{
@@ -163,6 +188,24 @@ BOOST_AUTO_TEST_CASE(a_heavy_contact_of_a_bearing_is_answered_by_the_default_sol
   BOOST_REQUIRE(found.slow.has_value());
   BOOST_TEST(found.cost.krylov_iterations > 0);  // `reference` has none
   EHD_CHECK(found.slow->lag_error, Tolerance::required(1e-2, "half of the 2 % that the damping of a bearing may err"));
+}
+
+// At this frequency the first two asks of `fast` leave too large an error of the lag; the third one does not.
+BOOST_AUTO_TEST_CASE(the_default_solver_is_asked_a_third_time_before_the_certified_one) {
+  const Lubricant oil{
+      .viscosity = ViscosityLaw::roelands, .density = DensityLaw::dowson_higginson, .alpha_per_Pa = 2.2e-8, .z = 0.68};
+  const Problem problem = nondimensionalise(MoesGroups{20, 20}, oil, Flooded{}).problem;
+  ResponseRequest request = bearing_response_request();
+  request.frequencies = {0.5};
+  const Response found = bearing_responder()(problem, request);
+  request.tolerance /= 4;
+  const Response second = default_solver().respond(problem, request);
+  BOOST_TEST(found.cost.krylov_iterations > 0);  // `reference` has none
+  BOOST_TEST(found.cost.nodes > second.cost.nodes);
+  BOOST_REQUIRE(found.frequencies.size() == 1u);
+  EHD_CHECK(std::abs(found.frequencies[0].lag()) * found.frequencies[0].lag_error,
+            Tolerance::required(1e-2 * std::hypot(found.frequencies[0].lag(), bearing::lag_scale(20)),
+                                "half of the 2 % that the damping of a bearing may err"));
 }
 
 // Light contacts have a smaller Omega at the same frequency; Omega = 1 is 25 kHz at the heaviest.
