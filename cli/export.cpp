@@ -97,7 +97,7 @@ Writer writer_named(const std::string& format, const CaseChanges& changes) {
 
 /// The table, with the contacts solved so far shown on a terminal.
 FilmTable build(const TableOil& oil, const FilmTableRequest& request, const ExportOptions& options) {
-  const FilmSource solves = film_solves(oil, request, thread_count(options.threads),
+  const FilmSource solves = film_solves(oil, request.tolerance, thread_count(options.threads),
                                         options.request.request().time_limit_s, deadline_in(options.time_limit_total));
   Progress progress;
   std::size_t solved = 0;

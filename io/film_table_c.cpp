@@ -39,20 +39,48 @@ static void PREFIX_basis(int degree, double t, double *value, double *slope)
   }
 }
 
+static double PREFIX_edge(int degree, const double *c, const double *y, const double *y_slope, double *slope)
+{
+  double sum = 0.0;
+  int j;
+  *slope = 0.0;
+  for (j = 0; j <= degree; ++j) {
+    sum += c[j] * y[j];
+    *slope += c[j] * y_slope[j];
+  }
+  return sum;
+}
+
 int PREFIX_film(int film, double M, double L, double *value, double *by_M, double *by_L);
 
 int PREFIX_film(int film, double M, double L, double *value, double *by_M, double *by_L)
 {
   double x[PREFIX_SIZE], x_slope[PREFIX_SIZE], y[PREFIX_SIZE], y_slope[PREFIX_SIZE];
   double sum = 0.0, sum_by_x = 0.0, sum_by_y = 0.0, h;
+  double log_M, low = 0.0, high = 0.0, low_slope = 0.0, high_slope = 0.0, s, root, x_at, x_by_s = 2.0, x_by_y, y_by_L;
   const double *c;
-  int p = 0, i, j;
+  int p, i, j;
   if (film < 0 || film > 3) return 2;
   if (!(M >= PREFIX_range[0] && M <= PREFIX_range[1] && L >= PREFIX_range[2] && L <= PREFIX_range[3])) return 1;
-  while (p + 1 < PREFIX_PANELS && !(M <= PREFIX_panel[p].M_high)) ++p;
-  PREFIX_basis(PREFIX_panel[p].degree_M, 2.0 * (log(M) - PREFIX_panel[p].log_low) / PREFIX_panel[p].across - 1.0, x,
-               x_slope);
-  PREFIX_basis(PREFIX_panel[p].degree_L, 2.0 * (log1p(L) - PREFIX_log_L[0]) / PREFIX_log_L[1] - 1.0, y, y_slope);
+  log_M = log(M);
+  for (p = 0; p < PREFIX_PANELS; ++p) {
+    if (p + 1 < PREFIX_PANELS && !(L >= PREFIX_panel[p].L_low && L <= PREFIX_panel[p].L_high)) continue;
+    PREFIX_basis(PREFIX_panel[p].degree_y, 2.0 * (log1p(L) - PREFIX_panel[p].log_L) / PREFIX_panel[p].along - 1.0, y,
+                 y_slope);
+    high = PREFIX_edge(PREFIX_panel[p].degree_high, PREFIX_panel[p].high, y, y_slope, &high_slope);
+    if (log_M <= high || p + 1 == PREFIX_PANELS) break;
+  }
+  low = PREFIX_edge(PREFIX_panel[p].degree_low, PREFIX_panel[p].low, y, y_slope, &low_slope);
+  s = (log_M - low) / (high - low);
+  x_at = 2.0 * s - 1.0;
+  if (PREFIX_panel[p].map != 0) { /* a square root at the low edge (1) or the high one (2) */
+    root = sqrt(fmax(0.0, PREFIX_panel[p].map == 2 ? 1.0 - s : s));
+    x_at = PREFIX_panel[p].map == 2 ? 1.0 - 2.0 * root : 2.0 * root - 1.0;
+    x_by_s = 1.0 / fmax(root, PREFIX_LEAST_ROOT);
+  }
+  x_by_y = -x_by_s * (low_slope + s * (high_slope - low_slope)) / (high - low);
+  y_by_L = 2.0 / (PREFIX_panel[p].along * (1.0 + L));
+  PREFIX_basis(PREFIX_panel[p].degree_M, x_at, x, x_slope);
   c = PREFIX_panel[p].coefficients[film];
   for (i = 0; i <= PREFIX_panel[p].degree_M; ++i) {
     double row = 0.0, row_slope = 0.0;
@@ -66,8 +94,8 @@ int PREFIX_film(int film, double M, double L, double *value, double *by_M, doubl
   }
   h = exp(sum);
   *value = h + PREFIX_shift[film];
-  if (by_M) *by_M = h * sum_by_x * 2.0 / (PREFIX_panel[p].across * M);
-  if (by_L) *by_L = h * sum_by_y * 2.0 / (PREFIX_log_L[1] * (1.0 + L));
+  if (by_M) *by_M = h * sum_by_x * x_by_s / ((high - low) * M);
+  if (by_L) *by_L = h * (sum_by_x * x_by_y + sum_by_y) * y_by_L;
   return 0;
 }
 )";
@@ -89,18 +117,35 @@ std::string coefficient_arrays(const FilmTable& table) {
   return text;
 }
 
+std::string array_text(const std::string& name, const std::vector<double>& values) {
+  return fmt::format("static const double {}[{}] = {};\n", name, values.size(), braced(values));
+}
+
+/// The highest degree in y: of the films and of the edges.
+int degree_y(const FilmPanel& panel) {
+  return std::max(panel.degree_L, static_cast<int>(std::max(panel.shape.low.size(), panel.shape.high.size())) - 1);
+}
+
 std::string panels(const FilmTable& table) {
-  std::string text =
-      "static const struct {\n  double M_high, log_low, across;\n  int degree_M, degree_L;\n"
-      "  const double *coefficients[4];\n} PREFIX_panel[PREFIX_PANELS] = {\n";
+  std::string edges,
+      text =
+          "static const struct {\n  double L_low, L_high, log_L, along;\n  int map, degree_M, degree_L, degree_y;\n"
+          "  int degree_low, degree_high;\n  const double *low, *high;\n"
+          "  const double *coefficients[4];\n} PREFIX_panel[PREFIX_PANELS] = {\n";
   for (std::size_t p = 0; p < table.panels.size(); ++p) {
     const FilmPanel& panel = table.panels[p];
-    const double low = std::log(panel.M_low);
-    text += fmt::format("  {{{}, {}, {}, {}, {}, {{PREFIX_c{}_0, PREFIX_c{}_1, PREFIX_c{}_2, PREFIX_c{}_3}}}},\n",
-                        exact_number(panel.M_high), exact_number(low), exact_number(std::log(panel.M_high) - low),
-                        panel.degree_M, panel.degree_L, p, p, p, p);
+    const PanelShape& shape = panel.shape;
+    edges += array_text(fmt::format("PREFIX_low{}", p), shape.low);
+    edges += array_text(fmt::format("PREFIX_high{}", p), shape.high);
+    const double log_L = std::log1p(shape.L_low);
+    text += fmt::format("  {{{}, {}, {}, {},\n   {}, {}, {}, {}, {}, {}, ", exact_number(shape.L_low),
+                        exact_number(shape.L_high), exact_number(log_L), exact_number(std::log1p(shape.L_high) - log_L),
+                        static_cast<int>(shape.map), panel.degree_M, panel.degree_L, degree_y(panel),
+                        shape.low.size() - 1, shape.high.size() - 1);
+    text += fmt::format(
+        "PREFIX_low{0}, PREFIX_high{0},\n   {{PREFIX_c{0}_0, PREFIX_c{0}_1, PREFIX_c{0}_2, PREFIX_c{0}_3}}}},\n", p);
   }
-  return text + "};\n";
+  return edges + text + "};\n";
 }
 
 }  // namespace
@@ -110,24 +155,23 @@ std::string film_table_c_prefix(const FilmTable& table) { return "ehd_" + identi
 std::string film_table_c(const FilmTable& table) {
   int highest = 1;
   std::vector<double> shifts, errors;
-  for (const FilmPanel& panel : table.panels) highest = std::max({highest, panel.degree_M, panel.degree_L});
+  for (const FilmPanel& panel : table.panels) highest = std::max({highest, panel.degree_M, degree_y(panel)});
   for (std::size_t k = 0; k < table_film_count; ++k) {
     shifts.push_back(table_shift(table_films[k]));
     errors.push_back(table.errors[k].stated);
   }
   const FilmRange& range = table.range;
-  const double log_low = std::log1p(range.L_low);
   // Words of the user keep their letters.
-  std::string words = "/* Films of a lubricated line contact. C99; needs math.h alone. Schema ehd-films-1.\n *\n";
+  std::string words = fmt::format("/* Films of a lubricated line contact. C99; needs math.h alone. Schema {}.\n *\n",
+                                  film_table_schema);
   for (const std::string& line : film_table_words(table)) words += " * " + in_c_comment(line) + "\n";
   std::string text = how_to_use;
-  text += fmt::format("#include <math.h>\n\nenum {{ PREFIX_SIZE = {}, PREFIX_PANELS = {} }};\n\n", highest + 1,
+  text += fmt::format("#include <math.h>\n\nenum {{ PREFIX_SIZE = {}, PREFIX_PANELS = {} }};\n", highest + 1,
                       table.panels.size());
+  text += fmt::format("#define PREFIX_LEAST_ROOT {}\n\n", exact_number(least_root));
   text += fmt::format("extern const double PREFIX_error[4];\nconst double PREFIX_error[4] = {};\n", braced(errors));
   text += fmt::format("static const double PREFIX_range[4] = {}; /* of M, of L */\n",
                       braced({range.M_low, range.M_high, range.L_low, range.L_high}));
-  text +=
-      fmt::format("static const double PREFIX_log_L[2] = {};\n", braced({log_low, std::log1p(range.L_high) - log_low}));
   text += fmt::format("static const double PREFIX_shift[4] = {};\n\n", braced(shifts));
   text += fmt::format("{}\n{}{}", coefficient_arrays(table), panels(table), evaluator);
   return words + with_prefix(std::move(text), film_table_c_prefix(table));

@@ -15,9 +15,10 @@ namespace ehd {
 
 namespace {
 
-constexpr const char* film_table_schema = "ehd-films-1";
 /// What a file says about x and y.
-constexpr const char* film_table_x = "2 (ln M - ln M_low)/(ln M_high - ln M_low) - 1";
+constexpr const char* film_table_s =
+    "(ln M - low)/(high - low), where low and high are ln M at the edges: sums of edge coefficient T_j(y)";
+constexpr const char* film_table_x = "even: 2 s - 1; root-low: 2 sqrt(s) - 1; root-high: 1 - 2 sqrt(1 - s)";
 constexpr const char* film_table_y = "2 (ln(1 + L) - ln(1 + L_low))/(ln(1 + L_high) - ln(1 + L_low)) - 1";
 constexpr int oil_digits = 8;  // of a constant in the heading; the JSON has all
 
@@ -41,7 +42,10 @@ Json errors_json(const FilmTable& table) {
 
 Json panel_json(const FilmPanel& panel) {
   Json json = Json::object();
-  json["M"] = {panel.M_low, panel.M_high};
+  const PanelShape& shape = panel.shape;
+  json["L"] = {shape.L_low, shape.L_high};
+  json["edges"] = {{"low", shape.low}, {"high", shape.high}};
+  json["map"] = to_string(shape.map);
   json["degrees"] = {{"M", panel.degree_M}, {"L", panel.degree_L}};
   const std::size_t row = static_cast<std::size_t>(panel.degree_L) + 1;
   for (std::size_t k = 0; k < table_film_count; ++k) {
@@ -52,6 +56,30 @@ Json panel_json(const FilmPanel& panel) {
                                          c.begin() + static_cast<std::ptrdiff_t>(first + row)));
   }
   return json;
+}
+
+/// The edges of a panel, then its films.
+std::string csv_lines_of(const FilmPanel& panel, std::size_t number) {
+  const PanelShape& shape = panel.shape;
+  const std::string begin = fmt::format("{},{},{},{},", number, shape.L_low, shape.L_high, to_string(shape.map));
+  std::string text;
+  const auto add_edge = [&](const char* name, const std::vector<double>& edge) {
+    for (std::size_t j = 0; j < edge.size(); ++j) text += begin + fmt::format("{},0,0,{},{}\n", name, j, edge[j]);
+  };
+  add_edge("edge.low", shape.low);
+  add_edge("edge.high", shape.high);
+  for (std::size_t k = 0; k < table_film_count; ++k) {
+    const std::string film = fmt::format("{}{},{},", begin, to_string(table_films[k]), table_shift(table_films[k]));
+    auto c = panel.coefficients[k].begin();
+    for (int i = 0; i <= panel.degree_M; ++i)
+      for (int j = 0; j <= panel.degree_L; ++j) text += film + fmt::format("{},{},{}\n", i, j, *c++);
+  }
+  return text;
+}
+
+std::string edge_words(const std::vector<double>& edge) {
+  const auto [least, most] = ends_of(edge);
+  return edge.size() == 1 ? plain(least) : fmt::format("a curve ({} to {})", plain(least, 3), plain(most, 3));
 }
 
 std::string oil_words(const FilmTable& table) {
@@ -80,6 +108,7 @@ Json to_json(const FilmTable& table) {
   json["inlet"] = inlet_json(table.inlet);
   json["range"] = {{"M", {table.range.M_low, table.range.M_high}}, {"L", {table.range.L_low, table.range.L_high}}};
   json["tolerance"] = table.tolerance;
+  json["s"] = film_table_s;
   json["x"] = film_table_x;
   json["y"] = film_table_y;
   json["film"] = "shift + exp(sum of c_ij T_i(x) T_j(y)), in units of b^2/R";
@@ -99,7 +128,8 @@ std::vector<std::string> film_table_words(const FilmTable& table) {
       fmt::format("{} solves, and {} held-out ones that found the errors; asked for {}", table.solves, table.held_out,
                   plain(table.tolerance))};
   for (const FilmPanel& panel : table.panels)
-    lines.push_back(fmt::format("Panel M {} to {}: degree {} in M, {} in L", plain(panel.M_low), plain(panel.M_high),
+    lines.push_back(fmt::format("Panel L {} to {}, M {} to {}: degree {} in M, {} in L", plain(panel.shape.L_low),
+                                plain(panel.shape.L_high), edge_words(panel.shape.low), edge_words(panel.shape.high),
                                 panel.degree_M, panel.degree_L));
   for (std::size_t k = 0; k < table_film_count; ++k)
     lines.push_back(fmt::format("{}: stated error {}, found {}", to_string(table_films[k]),
@@ -112,17 +142,10 @@ std::vector<std::string> film_table_words(const FilmTable& table) {
 std::string film_table_csv(const FilmTable& table) {
   std::string text = fmt::format("# schema: {}\n", film_table_schema);
   for (const std::string& line : film_table_words(table)) text += csv_comment(line);
-  text += fmt::format("# x = {}\n# y = {}\n# film = shift + exp(sum of coefficient T_i(x) T_j(y)), in units of b^2/R\n",
-                      film_table_x, film_table_y);
-  text += csv_line({"M_low", "M_high", "L_low", "L_high", "film", "shift", "i", "j", "coefficient"});
-  for (const FilmPanel& panel : table.panels)
-    for (std::size_t k = 0; k < table_film_count; ++k) {
-      const std::string begin = fmt::format("{},{},{},{},{},{},", panel.M_low, panel.M_high, table.range.L_low,
-                                            table.range.L_high, to_string(table_films[k]), table_shift(table_films[k]));
-      auto c = panel.coefficients[k].begin();
-      for (int i = 0; i <= panel.degree_M; ++i)
-        for (int j = 0; j <= panel.degree_L; ++j) text += begin + fmt::format("{},{},{}\n", i, j, *c++);
-    }
+  text += fmt::format("# s = {}\n# x = {}\n# y = {}\n", film_table_s, film_table_x, film_table_y);
+  text += "# film = shift + exp(sum of coefficient T_i(x) T_j(y)), in units of b^2/R\n";
+  text += csv_line({"panel", "L_low", "L_high", "map", "of", "shift", "i", "j", "coefficient"});
+  for (std::size_t p = 0; p < table.panels.size(); ++p) text += csv_lines_of(table.panels[p], p);
   return text;
 }
 

@@ -10,8 +10,11 @@
 
 namespace ehd {
 
-/// {"schema": "ehd-films-1", "provenance", "case", "version", "solver", "status", "lubricant", "inlet", "range",
-/// "tolerance", "x", "y", "films", "panels", "cost"}; docs/films-table.md has the meaning.
+/// The name of the format.
+inline constexpr const char* film_table_schema = "ehd-films-2";
+
+/// {"schema", "provenance", "case", "version", "solver", "status", "lubricant", "inlet", "range",
+/// "tolerance", "s", "x", "y", "films", "panels", "cost"}; docs/films-table.md has the meaning.
 [[nodiscard]] Json to_json(const FilmTable& table);
 
 /// The same: comment lines that begin with #, a header line, and a line for each coefficient.

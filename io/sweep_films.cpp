@@ -74,7 +74,7 @@ FilmTable build_table(const Sweep& sweep, const SweepRequest& request) {
   const FilmTableRequest asked = table_request(sweep);
   return build_film_table(
       sweep.table->oil, asked,
-      film_solves(sweep.table->oil, asked, request.threads, request.time_limit_s, request.deadline));
+      film_solves(sweep.table->oil, asked.tolerance, request.threads, request.time_limit_s, request.deadline));
 }
 
 }  // namespace ehd

@@ -58,6 +58,15 @@ ChebyshevBasis::ChebyshevBasis(int highest, double t) : degree(highest) {
   }
 }
 
+ValueWithSlope chebyshev_sum(const std::vector<double>& coefficients, const ChebyshevBasis& at) {
+  ValueWithSlope sum;
+  for (std::size_t j = 0; j < coefficients.size(); ++j) {
+    sum.value += coefficients[j] * at.value[j];
+    sum.slope += coefficients[j] * at.slope[j];
+  }
+  return sum;
+}
+
 ValueWithSlopes chebyshev_sum(const std::vector<double>& coefficients, const ChebyshevBasis& x,
                               const ChebyshevBasis& y) {
   ValueWithSlopes sum;

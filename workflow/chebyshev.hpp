@@ -38,6 +38,13 @@ class ChebyshevBasis {
   double slope[highest_degree + 1] = {};
 };
 
+struct ValueWithSlope {
+  double value = 0;
+  double slope = 0;
+};
+/// The sum over T_j; at least one coefficient, at most as many as the basis has.
+[[nodiscard]] ValueWithSlope chebyshev_sum(const std::vector<double>& coefficients, const ChebyshevBasis& at);
+
 /// The sum over T_i(x) T_j(y); `coefficients`: c_ij row by row, i over the degrees of x.
 [[nodiscard]] ValueWithSlopes chebyshev_sum(const std::vector<double>& coefficients, const ChebyshevBasis& x,
                                             const ChebyshevBasis& y);

@@ -2,11 +2,10 @@
 // The films of one lubricant as a table over M and L: Chebyshev coefficients, their evaluation with derivatives, and
 // the errors that were found. workflow/film_table_build makes one by solving.
 //
-//   x = 2 (ln M - ln M_low)/(ln M_high - ln M_low) - 1,  the same for y with ln(1 + L)
-//   ln(film - shift) = sum of c_ij T_i(x) T_j(y)
+//   ln(film - shift) = sum of c_ij T_i(x) T_j(y),  x and y: workflow/film_panel.hpp
 //
-// ln(1 + L) instead of L halves the degree over L 2.5..20, and L = 0 is allowed. The shift is 0 for a film and the
-// offset of the dry contact for the offset H_0, which may be negative: H_0 rises above its dry value by about a film.
+// The shift is 0 for a film and the offset of the dry contact for the offset H_0, which may be negative: H_0 rises
+// above its dry value by about a film.
 #pragma once
 
 #include <array>
@@ -17,6 +16,7 @@
 #include "contact/conditions.hpp"
 #include "contact/quantities.hpp"
 #include "contact/solution.hpp"
+#include "workflow/film_panel.hpp"
 
 namespace ehd {
 
@@ -40,10 +40,9 @@ struct FilmRange {
   [[nodiscard]] bool contains(const MoesGroups& at) const;
 };
 
-/// The range of M is split where the films bend (film_table_build.hpp); each panel has all of L. Neighbouring panels
-/// meet within their errors, not exactly.
+/// Neighbouring panels meet within their errors, not exactly.
 struct FilmPanel {
-  double M_low = 0, M_high = 0;
+  PanelShape shape;
   int degree_M = 0, degree_L = 0;
   ByFilm<std::vector<double>> coefficients;  ///< c_ij, row by row, i over the degrees of M
 };
@@ -64,9 +63,9 @@ struct FilmTable {
   Inlet inlet;
   FilmRange range;
   double tolerance = 0;
-  std::vector<FilmPanel> panels;  ///< M increasing
+  std::vector<FilmPanel> panels;  ///< of a contact in the range: the first that holds it
   ByFilm<FilmTableErrors> errors = {};
-  long solves = 0;    ///< that the coefficients are made of
+  long solves = 0;    ///< that the coefficients and the edges of panels are made of
   long held_out = 0;  ///< further ones, which found the errors
   StopReason status = StopReason::converged;
   std::string reason = {};  ///< where status is not converged
@@ -82,13 +81,7 @@ struct FilmAt {
 /// All films at a contact; empty outside the range of the table, which has at least one panel.
 [[nodiscard]] std::optional<ByFilm<FilmAt>> films_at(const FilmTable& table, const MoesGroups& at);
 
-/// The coordinates of a contact in a panel, -1 … 1, and their derivatives.
-struct PanelPlace {
-  double x = 0, x_by_M = 0;
-  double y = 0, y_by_L = 0;
-};
-[[nodiscard]] PanelPlace place_in(const FilmPanel& panel, const FilmRange& range, const MoesGroups& at);
-/// The contact at x, y.
-[[nodiscard]] MoesGroups contact_at(const FilmPanel& panel, const FilmRange& range, double x, double y);
+/// The same in one panel; L is in it.
+[[nodiscard]] ByFilm<FilmAt> films_in(const FilmPanel& panel, const MoesGroups& at);
 
 }  // namespace ehd

@@ -9,17 +9,13 @@
 #include <utility>
 
 #include "contact/text.hpp"
-#include "workflow/batch.hpp"
 #include "workflow/chebyshev.hpp"
+#include "workflow/film_table_bend.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd {
 
 namespace {
-
-/// Where the range of M is split. The pressure spike passes X = 0 near M = 1.3 (L = 20) to 4 (L = 2.5), and the central
-/// film bends there. Above 7 degrees of 8 in M and 6 in L leave 2e-5 over M 7..1000, L 2.5..20; between 2 and 7 the
-/// bend takes 10 and 14. One panel over all of it would need 33 x 17 solves.
-constexpr std::array bend_M{1.0, 7.0};
 
 /// The stated error is this many times the largest difference to a held-out solve, and the errors of the solves. Of 200
 /// to 800 random solves the worst was .7 to 2.5 times that difference, for four tables and each film.
@@ -29,11 +25,17 @@ constexpr long fewest_held_out = 32, coefficients_per_held_out = 4;
 /// Where the bend is steep, errors stand along a narrow band, which evenly spread points miss (by 6 times over M 1..7,
 /// L 1..25). So every second held-out point is chosen among 32: where the highest degrees contribute most.
 constexpr int candidates_a_point = 32;
-/// Each solve is asked for this share of the tolerance.
-constexpr double solve_share = 0.2;
 /// The degrees first grow until the norm of the last coefficients is this share of the tolerance.
 constexpr double tail_share = 0.3;
 constexpr int first_degree = 4;
+/// A panel is given up for smaller ones where at this degree its last coefficients are so many times too large, or
+/// where it has so many coefficients. Between M = 1 or 2 and 7, panels with less than 37 times came to 130 to 270
+/// coefficients and panels with more than 53 times to 400 to 1100 or no end.
+constexpr int telling_degree = 8;
+constexpr double hopeless_tail = 45;
+constexpr long most_promising = 300;
+/// A panel beside the bend takes 100 to 350 solves. None is planned where fewer are allowed for each.
+constexpr long solves_a_panel = 150, fewest_smaller = 4;
 
 /// Point number k of the sequence R2 in the square -1 … 1: any run of it is spread evenly. Source: M. Roberts, The
 /// unreasonable effectiveness of quasirandom sequences (2018).
@@ -49,6 +51,10 @@ std::pair<double, double> spread_point(int k) {
 /// Held-out solves of a panel with so many coefficients.
 long held_out_of(long coefficients) { return std::max(fewest_held_out, coefficients / coefficients_per_held_out); }
 
+constexpr long fewest_nodes = (first_degree + 1L) * (first_degree + 1L);
+constexpr long fewest_of_a_panel = fewest_nodes + fewest_held_out;
+static_assert(fewest_nodes / coefficients_per_held_out <= fewest_held_out);
+
 /// What a table could not have: the reason in one sentence.
 struct NotSolved {
   std::string why;
@@ -63,27 +69,44 @@ struct HeldOut {
 /// One panel while it grows.
 class GrowingPanel {
  public:
-  GrowingPanel(FilmTable& table, const FilmTableRequest& request, const FilmSource& source, double M_low, double M_high)
-      : table_(table), request_(request), source_(source) {
-    panel_.M_low = M_low;
-    panel_.M_high = M_high;
+  /// `reserved`: solves that later panels need.
+  GrowingPanel(FilmTable& table, const FilmTableRequest& request, const FilmSource& source, const PanelPlan& plan,
+               long reserved)
+      : table_(table), request_(request), source_(source), plan_(plan), reserved_(reserved) {
+    panel_.shape = plan.shape;
     panel_.degree_M = panel_.degree_L = first_degree;
+    x_ = y_ = leja_points(static_cast<std::size_t>(request_.most_degree) + 1);
+    for (double& x : x_) x = plan.x_first + (plan.x_last - plan.x_first) * (x + 1) / 2;
   }
 
-  /// Grows until held-out solves agree with it, or cannot grow. Throws NotSolved.
-  void grow() {
-    x_ = y_ = leja_points(static_cast<std::size_t>(request_.most_degree) + 1);
-    for (fit(); step_by_tails();) fit();
+  /// Grows until held-out solves agree with it, or cannot grow. False: given up, since its size does not promise to
+  /// stay small; without `may_give_up` it then grows on. Throws NotSolved.
+  [[nodiscard]] bool grow(bool may_give_up) {
+    const auto given_up = [&] { return may_give_up && !promising(); };
+    if (solved_.empty()) fit();
+    while (!given_up() && step_by_tails()) fit();
+    if (given_up()) return false;
     for (add_held_out(); !agrees(); add_held_out()) {
       bool grown = false;
       do {
         grown = worth_growing() && step_larger_tail();
         if (grown) fit();
+        if (given_up()) return false;
       } while (grown && !agrees());
       if (grown) continue;
       table_.status = StopReason::tolerance_not_met;
       break;
     }
+    add();
+    return true;
+  }
+
+  /// The last coefficients of M are larger than those of L.
+  [[nodiscard]] bool longer_in_M() const { return largest(tail_M_) >= largest(tail_L_); }
+
+ private:
+  /// Adds it to the table.
+  void add() {
     for (std::size_t k = 0; k < table_film_count; ++k) {
       FilmTableErrors& errors = table_.errors[k];
       errors.found = std::max(errors.found, found_[k]);
@@ -92,7 +115,9 @@ class GrowingPanel {
     table_.panels.push_back(panel_);
   }
 
- private:
+  /// From -1 … 1 to the part of the panel that is solved.
+  [[nodiscard]] double solved_x(double x) const { return plan_.x_first + (plan_.x_last - plan_.x_first) * (x + 1) / 2; }
+
   std::vector<SolvedFilms> solve(const std::vector<MoesGroups>& contacts, long& count) {
     std::vector<SolvedFilms> solved = source_(contacts);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -120,8 +145,7 @@ class GrowingPanel {
       for (int j = 0; j <= panel_.degree_L; ++j) {
         if (solved_.count({i, j}) > 0) continue;
         missing.emplace_back(i, j);
-        contacts.push_back(
-            contact_at(panel_, table_.range, x_[static_cast<std::size_t>(i)], y_[static_cast<std::size_t>(j)]));
+        contacts.push_back(contact_at(panel_.shape, x_[static_cast<std::size_t>(i)], y_[static_cast<std::size_t>(j)]));
       }
     const auto films = solve(contacts, table_.solves);
     for (std::size_t i = 0; i < missing.size(); ++i) solved_[missing[i]] = films[i].value;
@@ -156,21 +180,24 @@ class GrowingPanel {
     tail_L_[k] = c.col(c.cols() - 1).norm();
   }
 
+  [[nodiscard]] bool promising() const {
+    const long coefficients = (panel_.degree_M + 1L) * (panel_.degree_L + 1L);
+    const double tail = std::max(largest(tail_M_), largest(tail_L_));
+    const bool told = is_straight(panel_.shape) && std::max(panel_.degree_M, panel_.degree_L) >= telling_degree;
+    return coefficients <= most_promising && !(told && tail > hopeless_tail * tail_share * request_.tolerance);
+  }
   /// Raises a degree whose tail is too large. False: none is, or the bounds do not allow it.
   bool step_by_tails() {
     const double aim = tail_share * request_.tolerance;
     return step(largest(tail_M_) > aim, largest(tail_L_) > aim);
   }
-  bool step_larger_tail() {
-    const bool M = largest(tail_M_) >= largest(tail_L_);
-    return step(M, !M);
-  }
+  bool step_larger_tail() { return step(longer_in_M(), !longer_in_M()); }
   bool step(bool in_M, bool in_L) {
     const int M = std::min(panel_.degree_M + in_M, request_.most_degree);
     const int L = std::min(panel_.degree_L + in_L, request_.most_degree);
     const long now = (panel_.degree_M + 1L) * (panel_.degree_L + 1L), then = (M + 1L) * (L + 1L);
-    if (then == now || table_.solves + table_.held_out + then - now + held_out_of(then) > request_.most_solves)
-      return false;
+    const long spent = table_.solves + table_.held_out + reserved_;
+    if (then == now || spent + then - now + held_out_of(then) > request_.most_solves) return false;
     panel_.degree_M = M;
     panel_.degree_L = L;
     return true;
@@ -208,13 +235,14 @@ class GrowingPanel {
     double largest_term = -1;
     std::pair<double, double> chosen;
     for (int k = 0; k < candidates; ++k) {
-      const auto at = spread_point(spread_points_used_++);
+      auto at = spread_point(spread_points_used_++);
+      at.first = plan_.x_first + (plan_.x_last - plan_.x_first) * (at.first + 1) / 2;
       const double term = last_terms(at.first, at.second);
       if (!(term > largest_term)) continue;
       largest_term = term;
       chosen = at;
     }
-    return contact_at(panel_, table_.range, chosen.first, chosen.second);
+    return contact_at(panel_.shape, chosen.first, chosen.second);
   }
 
   /// Solves further held-out points. Those before have decided about degrees; these have not.
@@ -229,10 +257,9 @@ class GrowingPanel {
   /// Measures the largest error at the held-out points. True: what the panel then states meets the tolerance, also
   /// where the solves of another panel err by the share that each is asked for.
   bool agrees() {
-    const FilmTable alone{.lubricant = {}, .inlet = {}, .range = table_.range, .panels = {panel_}, .reason = {}};
     found_ = {};
     for (const HeldOut& point : held_out_) {
-      const auto films = *films_at(alone, point.at);
+      const auto films = films_in(panel_, point.at);
       for (std::size_t k = 0; k < table_film_count; ++k)
         found_[k] = std::max(
             found_[k], std::abs(films[k].value - point.films[k]) / table_error_unit(table_films[k], point.films[k]));
@@ -246,6 +273,8 @@ class GrowingPanel {
   FilmTable& table_;
   const FilmTableRequest& request_;
   const FilmSource& source_;
+  const PanelPlan& plan_;
+  long reserved_;
   FilmPanel panel_;
   std::vector<double> x_, y_;
   std::map<std::pair<int, int>, ByFilm<double>> solved_;
@@ -254,13 +283,25 @@ class GrowingPanel {
   int spread_points_used_ = 0;
 };
 
-/// The panels: the range, split where the films bend.
-std::vector<double> panel_ends(const FilmRange& range) {
-  std::vector<double> ends{range.M_low};
-  for (const double M : bend_M)
-    if (M > range.M_low && M < range.M_high) ends.push_back(M);
-  ends.push_back(range.M_high);
-  return ends;
+/// Adds a panel, or the smaller ones in its place. `reserved`: solves that later panels need.
+void add_panel(FilmTable& table, const FilmTableRequest& request, const FilmSource& source, const PanelPlan& plan,
+               long reserved) {
+  GrowingPanel panel(table, request, source, plan, reserved);
+  if (panel.grow(true)) return;
+  const long left = request.most_solves - table.solves - table.held_out - reserved;
+  std::vector<PanelPlan> smaller;
+  if (left > fewest_smaller * solves_a_panel) {
+    if (plan.may_bend) {
+      BendPlans beside = panels_beside_bend(plan.shape, source, left / solves_a_panel);
+      table.solves += beside.solves;
+      smaller = std::move(beside.panels);
+    }
+    if (smaller.empty()) smaller = halves(plan, panel.longer_in_M());
+  }
+  if (smaller.empty()) (void)panel.grow(false);
+  for (std::size_t p = 0; p < smaller.size(); ++p)
+    add_panel(table, request, source, smaller[p],
+              reserved + static_cast<long>(smaller.size() - p - 1) * fewest_of_a_panel);
 }
 
 void state_errors(FilmTable& table) {
@@ -285,8 +326,7 @@ void state_errors(FilmTable& table) {
 }  // namespace
 
 long fewest_solves(const FilmRange& range) {
-  constexpr long nodes = first_degree + 1, first_grid = nodes * nodes;
-  return static_cast<long>(panel_ends(range).size() - 1) * (first_grid + held_out_of(first_grid));
+  return static_cast<long>(straight_panels(range).size()) * fewest_of_a_panel;
 }
 
 FilmTable build_film_table(const TableOil& oil, const FilmTableRequest& request, const FilmSource& source) {
@@ -297,8 +337,9 @@ FilmTable build_film_table(const TableOil& oil, const FilmTableRequest& request,
                   .tolerance = request.tolerance,
                   .panels = {}};
   try {
-    const std::vector<double> ends = panel_ends(request.range);
-    for (std::size_t p = 0; p + 1 < ends.size(); ++p) GrowingPanel(table, request, source, ends[p], ends[p + 1]).grow();
+    const std::vector<PanelPlan> plans = straight_panels(request.range);
+    for (std::size_t p = 0; p < plans.size(); ++p)
+      add_panel(table, request, source, plans[p], static_cast<long>(plans.size() - p - 1) * fewest_of_a_panel);
   } catch (const NotSolved& failure) {
     table.status = StopReason::limit_reached;
     table.reason = failure.why;
@@ -307,42 +348,6 @@ FilmTable build_film_table(const TableOil& oil, const FilmTableRequest& request,
   }
   state_errors(table);
   return table;
-}
-
-// -- the solves -------------------------------------------------------------------------------------------------
-
-FilmSource film_solves(const TableOil& oil, const FilmTableRequest& request, unsigned threads, double time_limit_s,
-                       const Deadline& deadline) {
-  RegisteredSolver solver = default_solver();
-  solver.solve = deadline.limiting(solver.solve);
-  Request each;
-  each.tolerance = solve_share * request.tolerance;
-  each.time_limit_s = time_limit_s;
-  return [oil, solver, each, threads](const std::vector<MoesGroups>& contacts) {
-    std::vector<Problem> problems;
-    for (const MoesGroups& at : contacts) {
-      problems.push_back(problem_of(oil, at));
-      problems.back().wanted = {table_films.begin(), table_films.end()};
-    }
-    std::vector<SolvedFilms> films;
-    for (const Solution& solution : solve_all(solver, problems, each, threads)) {
-      SolvedFilms& one = films.emplace_back();
-      const SolveRecord& record = solution.record;
-      // A solve that missed its tolerance states its error, and the table's error has it.
-      if (record.status != StopReason::converged && record.status != StopReason::tolerance_not_met)
-        one.why = std::string(to_string(record.status)) + (record.reason.empty() ? "" : ": " + record.reason);
-      for (std::size_t k = 0; k < table_film_count && one.why.empty(); ++k) {
-        const auto at = solution.observables.find(table_films[k]);
-        if (at == solution.observables.end() || !at->second.error) {
-          one.why = std::string(to_string(table_films[k])) + " is not known with an error";
-          break;
-        }
-        one.value[k] = at->second.value;
-        one.error[k] = *at->second.error;
-      }
-    }
-    return films;
-  };
 }
 
 }  // namespace ehd

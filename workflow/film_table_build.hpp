@@ -3,24 +3,11 @@
 // table does not use, find its errors.
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
-#include "workflow/deadline.hpp"
 #include "workflow/film_table.hpp"
 #include "workflow/film_table_oil.hpp"
+#include "workflow/film_table_source.hpp"
 
 namespace ehd {
-
-/// The films of one contact with the errors that its solve states; `why` says why there are none.
-struct SolvedFilms {
-  ByFilm<double> value = {};
-  ByFilm<double> error = {};
-  std::string why = {};
-};
-/// Gives a table its films: those of some contacts, in their order.
-using FilmSource = std::function<std::vector<SolvedFilms>(const std::vector<MoesGroups>&)>;
 
 struct FilmTableRequest {
   FilmRange range;
@@ -36,9 +23,5 @@ struct FilmTableRequest {
 /// there with its errors); `limit_reached`, a contact was not solved (there is no panel).
 [[nodiscard]] FilmTable build_film_table(const TableOil& oil, const FilmTableRequest& request,
                                          const FilmSource& source);
-
-/// Solves by the default solver over threads (0: one per core), each to solve_share of the table's tolerance.
-[[nodiscard]] FilmSource film_solves(const TableOil& oil, const FilmTableRequest& request, unsigned threads,
-                                     double time_limit_s, const Deadline& deadline = {});
 
 }  // namespace ehd

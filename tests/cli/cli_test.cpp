@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "io/film_table_text.hpp"
 #include "tests/check.hpp"
 #include "tests/files.hpp"
 #include "tests/process.hpp"
@@ -439,7 +440,7 @@ BOOST_AUTO_TEST_CASE(a_table_of_films_goes_to_standard_output_or_into_a_file) {
   BOOST_TEST(printed.exit_code == 0);
   BOOST_TEST(printed.err == "");
   const json table = json::parse(printed.out);
-  BOOST_TEST(table["schema"] == "ehd-films-1");
+  BOOST_TEST(table["schema"] == film_table_schema);
   BOOST_TEST(table["case"] == "na4908");
   BOOST_TEST(table["status"] == "converged");
   BOOST_TEST(table["lubricant"]["z"].get<double>() > 0);  // from eta_0: the case states alpha alone

@@ -81,7 +81,7 @@ Claim covers(const JudgedTable& judged, const FilmTable& table, std::size_t k, c
 Findings judge_table(const JudgedTable& judged) {
   const TableOil of{.lubricant = oil(judged.roelands)};
   const FilmTableRequest request{.range = judged.range, .tolerance = judged.tolerance};
-  const FilmTable table = build_film_table(of, request, film_solves(of, request, 1, 60));
+  const FilmTable table = build_film_table(of, request, film_solves(of, request.tolerance, 1, 60));
   Findings found;
   found.claims.push_back(claim_fact(
       {.id = "film-table/" + table_name(judged) + "/built",

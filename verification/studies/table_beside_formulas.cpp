@@ -66,7 +66,7 @@ double microseconds_of(Call call) {
 FilmTable table_of_the_atlas(unsigned threads) {
   const TableOil of{.lubricant = oil(true)};
   const FilmTableRequest request{.range = {.M_low = 2, .M_high = 1000, .L_low = 2.5, .L_high = 20}};
-  return build_film_table(of, request, film_solves(of, request, threads, 300));
+  return build_film_table(of, request, film_solves(of, request.tolerance, threads, 300));
 }
 
 std::string table_beside_formulas(const FilmMaps& maps, const FilmTable& table) {
