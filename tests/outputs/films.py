@@ -121,8 +121,13 @@ def audit(table, case, solves, truths, nodes):
     said.equal("inlet", table["inlet"], case["domain"]["inlet"])
     said.equal("range", table["range"], {"M": list(M_RANGE), "L": list(L_RANGE)})
     said.equal("tolerance", table["tolerance"], TOLERANCE)
-    said.equal("panels", [panel["M"] for panel in table["panels"]], [list(M) for M in panel_ranges()])
+    said.equal("panels", len(table["panels"]), len(panel_ranges()))
     for panel, M, truth in zip(table["panels"], panel_ranges(), truths, strict=True):
+        said.equal(f"panel {M}: L", panel["L"], list(L_RANGE))
+        said.equal(f"panel {M}: map", panel["map"], "even")
+        for edge, end in zip(("low", "high"), M, strict=True):
+            said.equal(f"panel {M}: coefficients of edge {edge}", len(panel["edges"][edge]), 1)
+            said.near(f"panel {M}: edge {edge}", panel["edges"][edge][0], math.log(end), absolute=ROUND_OFF)
         said.equal(f"panel {M}: degrees", panel["degrees"], {"M": DEGREE, "L": DEGREE})
         for name, rows in panel["coefficients"].items():
             for i, row in enumerate(rows):
