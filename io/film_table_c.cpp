@@ -20,7 +20,7 @@ constexpr const char* how_to_use = R"( *
  * *value: the film in units of b^2/R (half width b, reduced radius R); times b^2/R it is a length.
  * *by_M, *by_L: its derivatives; null where they are not wanted.
  * Returns 0; 1 where M or L is outside the table or no number; 2 for an unknown film. After 1 and 2 nothing is written.
- * PREFIX_error[film]: the stated error.
+ * PREFIX_error[film]: the stated error. A line above has the errors next to a bend, where there is one.
  */
 )";
 

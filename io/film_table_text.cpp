@@ -46,6 +46,7 @@ Json panel_json(const FilmPanel& panel) {
   json["L"] = {shape.L_low, shape.L_high};
   json["edges"] = {{"low", shape.low}, {"high", shape.high}};
   json["map"] = to_string(shape.map);
+  if (panel.x_first > -1 || panel.x_last < 1) json["solved_x"] = {panel.x_first, panel.x_last};
   json["degrees"] = {{"M", panel.degree_M}, {"L", panel.degree_L}};
   const std::size_t row = static_cast<std::size_t>(panel.degree_L) + 1;
   for (std::size_t k = 0; k < table_film_count; ++k) {
@@ -82,6 +83,16 @@ std::string edge_words(const std::vector<double>& edge) {
   return edge.size() == 1 ? plain(least) : fmt::format("a curve ({} to {})", plain(least, 3), plain(most, 3));
 }
 
+/// The errors that a table has next to the bend in place of the others.
+std::string bend_words(const BendErrors& bend) {
+  std::string words = fmt::format("Within {} in ln M of the bend: ", plain(bend.gap));
+  if (!bend.stated) return words + "no error is known";
+  for (std::size_t k = 0; k < table_film_count; ++k)
+    words +=
+        fmt::format("{}{} {}", k > 0 ? ", " : "stated errors ", to_string(table_films[k]), plain((*bend.stated)[k], 2));
+  return words;
+}
+
 std::string oil_words(const FilmTable& table) {
   const Json oil = to_json(table.lubricant);
   std::string words =
@@ -113,6 +124,11 @@ Json to_json(const FilmTable& table) {
   json["y"] = film_table_y;
   json["film"] = "shift + exp(sum of c_ij T_i(x) T_j(y)), in units of b^2/R";
   json["films"] = errors_json(table);
+  if (table.at_bend) {
+    json["at_bend"]["gap_ln_M"] = table.at_bend->gap;
+    for (std::size_t k = 0; k < table_film_count && table.at_bend->stated; ++k)
+      json["at_bend"]["stated_error"][std::string(to_string(table_films[k]))] = (*table.at_bend->stated)[k];
+  }
   json["panels"] = Json::array();
   for (const FilmPanel& panel : table.panels) json["panels"].push_back(panel_json(panel));
   json["cost"] = {{"solves", table.solves}, {"held_out", table.held_out}};
@@ -134,6 +150,7 @@ std::vector<std::string> film_table_words(const FilmTable& table) {
   for (std::size_t k = 0; k < table_film_count; ++k)
     lines.push_back(fmt::format("{}: stated error {}, found {}", to_string(table_films[k]),
                                 plain(table.errors[k].stated, 2), plain(table.errors[k].found, 2)));
+  if (table.at_bend) lines.push_back(bend_words(*table.at_bend));
   lines.push_back(
       "Errors are relative; of the offset absolute up to 1 above the dry offset, then relative to that rise.");
   return lines;

@@ -21,9 +21,17 @@ bool FilmRange::contains(const MoesGroups& at) const {
 
 std::optional<ByFilm<FilmAt>> films_at(const FilmTable& table, const MoesGroups& at) {
   if (!table.range.contains(at)) return std::nullopt;
-  return films_in(*std::find_if(table.panels.begin(), table.panels.end() - 1,
-                                [&](const auto& one) { return holds(one.shape, at); }),
-                  at);
+  const FilmPanel& panel = *std::find_if(table.panels.begin(), table.panels.end() - 1,
+                                         [&](const auto& one) { return holds(one.shape, at); });
+  ByFilm<FilmAt> films = films_in(panel, at);
+  const double x = place_in(panel.shape, at).x;
+  const bool at_bend = table.at_bend && (x < panel.x_first || x > panel.x_last);
+  for (std::size_t k = 0; k < table_film_count; ++k)
+    if (!at_bend)
+      films[k].error = table.errors[k].stated;
+    else if (table.at_bend->stated)
+      films[k].error = (*table.at_bend->stated)[k];
+  return films;
 }
 
 ByFilm<FilmAt> films_in(const FilmPanel& panel, const MoesGroups& at) {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,7 @@ struct FilmRange {
 /// Neighbouring panels meet within their errors, not exactly.
 struct FilmPanel {
   PanelShape shape;
+  double x_first = -1, x_last = 1;  ///< beyond, next to a bend, no contact was solved: the panel extrapolates
   int degree_M = 0, degree_L = 0;
   ByFilm<std::vector<double>> coefficients;  ///< c_ij, row by row, i over the degrees of M
 };
@@ -52,6 +54,13 @@ struct FilmTableErrors {
   double found = 0;   ///< the largest difference to a held-out solve
   double solves = 0;  ///< the largest error that a solve of the table states
   double stated = 0;  ///< found_factor found + solves
+};
+
+/// Next to a bend no contact of the table is solved, and a panel extrapolates. There the errors below do not hold;
+/// these do, where the table has them.
+struct BendErrors {
+  double gap = 0;                             ///< ln M, on both sides of the bend
+  std::optional<ByFilm<double>> stated = {};  ///< empty: a held-out contact there was not solved
 };
 
 struct FilmTable {
@@ -65,8 +74,9 @@ struct FilmTable {
   double tolerance = 0;
   std::vector<FilmPanel> panels;  ///< of a contact in the range: the first that holds it
   ByFilm<FilmTableErrors> errors = {};
-  long solves = 0;    ///< that the coefficients and the edges of panels are made of
-  long held_out = 0;  ///< further ones, which found the errors
+  std::optional<BendErrors> at_bend = {};  ///< where the range holds a bend that is an edge
+  long solves = 0;                         ///< that the coefficients and the edges of panels are made of
+  long held_out = 0;                       ///< further ones, which found the errors
   StopReason status = StopReason::converged;
   std::string reason = {};  ///< where status is not converged
 };
@@ -76,12 +86,14 @@ struct FilmAt {
   double value = 0;
   double by_M = 0;
   double by_L = 0;
+  /// In units of table_error_unit: next to a bend BendErrors, else FilmTableErrors::stated. Infinite: not known.
+  double error = std::numeric_limits<double>::infinity();
 };
 
 /// All films at a contact; empty outside the range of the table, which has at least one panel.
 [[nodiscard]] std::optional<ByFilm<FilmAt>> films_at(const FilmTable& table, const MoesGroups& at);
 
-/// The same in one panel; L is in it.
+/// The same in one panel, without errors; L is in it.
 [[nodiscard]] ByFilm<FilmAt> films_in(const FilmPanel& panel, const MoesGroups& at);
 
 }  // namespace ehd

@@ -45,9 +45,6 @@ constexpr double sharp_peak = 2.5, most_bend_error = 1e-4, most_error_beside_bro
 constexpr double peak_for_root = 1.5;
 constexpr double narrowest_band = 0.06;  // in ln(1 + L)
 
-/// Nearer to the bend than this (in ln M) no contact is solved. At L = 20, Barus, `fast` cannot find H_cen to 2e-5 at
-/// 3e-5, and takes 50 ms at 3e-4.
-constexpr double bend_gap = 3e-4;
 /// A panel beside the bend is at least so wide in ln M: the part that is extrapolated is then short.
 constexpr double least_width = 0.2;
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "contact/text.hpp"
 
 namespace ehd {
@@ -31,7 +33,8 @@ ContactRun run_from_table(const Case& contact_case, const FilmTable& table) {
   for (std::size_t k = 0; films && k < table_film_count; ++k) {
     const double value = (*films)[k].value;
     const double unit = has_absolute_error(table_films[k]) ? table_error_unit(table_films[k], value) : 1;
-    run.solution.observables[table_films[k]] = {.value = value, .error = table.errors[k].stated * unit};
+    Reading& film = run.solution.observables[table_films[k]] = {.value = value};
+    if (std::isfinite((*films)[k].error)) film.error = (*films)[k].error * unit;
   }
   return run;
 }

@@ -60,8 +60,8 @@ void add_misses(const FilmTable& table, const MoesGroups& at, const Solution& so
     const double value = value_of(seen);
     const double unit = table_error_unit(table_films[k], value);
     const double truth_error = error_of(seen) / (has_absolute_error(table_films[k]) ? unit : 1);
-    misses[k].add(films ? std::abs((*films)[k].value - value) / unit : nothing, table.errors[k].stated, truth_error,
-                  at);
+    misses[k].add(films ? std::abs((*films)[k].value - value) / unit : nothing, films ? (*films)[k].error : nothing,
+                  truth_error, at);
   }
 }
 
