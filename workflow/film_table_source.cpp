@@ -24,10 +24,10 @@ FilmSource film_solves(const TableOil& oil, double table_tolerance, unsigned thr
     for (const Solution& solution : solve_all(solver, problems, each, threads)) {
       SolvedFilms& one = films.emplace_back();
       const SolveRecord& record = solution.record;
-      const auto peak = observed::pressure_maximum(solution.fields);
-      if (peak && peak->place) {
+      if (solution.fields.P.size() > 0) {  // a solve that a limit ended has none
+        const auto peak = observed::pressure_maximum(solution.fields);
         one.peak = peak->value;
-        one.peak_X = *peak->place;
+        one.peak_X = peak->place.value();
       }
       // A solve that missed its tolerance states its error, and the table's error has it.
       if (record.status != StopReason::converged && record.status != StopReason::tolerance_not_met)

@@ -62,42 +62,34 @@ BOOST_AUTO_TEST_CASE(a_table_meets_its_tolerance_and_its_stated_errors_hold_else
   }
 }
 
+/// The derivatives of all films against central differences over `step` of ln M and of L: step^2 times a third
+/// derivative of at most `third` films, and rounding over the step.
+void check_derivatives(const FilmTable& table, const MoesGroups& at, double step, double third) {
+  const auto films = *films_at(table, at);
+  const double d = step * at.M;
+  const auto right = *films_at(table, {at.M + d, at.L}), left = *films_at(table, {at.M - d, at.L});
+  const auto up = *films_at(table, {at.M, at.L + step}), down = *films_at(table, {at.M, at.L - step});
+  const Tolerance small = Tolerance::asymptotic(third * step * step + 1e-14 / step, "step^2, and rounding/step");
+  for (std::size_t k = 0; k < table_film_count; ++k) {
+    const double film = films[k].value - table_shift(table_films[k]);
+    EHD_CHECK(std::abs(films[k].by_M - (right[k].value - left[k].value) / (2 * d)) * at.M / film, small);
+    EHD_CHECK(std::abs(films[k].by_L - (up[k].value - down[k].value) / (2 * step)) / film, small);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(derivatives_agree_with_differences) {
   const FilmTable table = made_table();
-  constexpr double step = 1e-4;  // of ln M and of L
-  for (const MoesGroups& at : other_points({.M_low = 7.1, .M_high = 390, .L_low = 2.1, .L_high = 17.9}, 40)) {
-    const auto films = *films_at(table, at);
-    const double d = step * at.M;
-    const auto right = *films_at(table, {at.M + d, at.L}), left = *films_at(table, {at.M - d, at.L});
-    const auto up = *films_at(table, {at.M, at.L + step}), down = *films_at(table, {at.M, at.L - step});
-    for (std::size_t k = 0; k < table_film_count; ++k) {
-      const double film = films[k].value - table_shift(table_films[k]);
-      // Central differences of powers: step^2 times the third derivative, below 10 film; and rounding over the step.
-      const Tolerance small = Tolerance::asymptotic(10 * step * step + 1e-14 / step, "step^2, and rounding/step");
-      EHD_CHECK(std::abs(films[k].by_M - (right[k].value - left[k].value) / (2 * d)) * at.M / film, small);
-      EHD_CHECK(std::abs(films[k].by_L - (up[k].value - down[k].value) / (2 * step)) / film, small);
-    }
-  }
+  for (const MoesGroups& at : other_points({.M_low = 7.1, .M_high = 390, .L_low = 2.1, .L_high = 17.9}, 40))
+    check_derivatives(table, at, 1e-4, 10);
 }
 
 BOOST_AUTO_TEST_CASE(derivatives_agree_with_differences_in_panels_with_curved_edges) {
   const FilmTable table = corner_table();
-  constexpr double step = 1e-5;
   int curved = 0;
   for (const MoesGroups& at : other_points({.M_low = 1.21, .M_high = 6.9, .L_low = 2.1, .L_high = 17.9}, 200)) {
     if (std::abs(std::log(at.M / corner_M(at.L))) < 0.05) continue;
     ++curved;
-    const auto films = *films_at(table, at);
-    const double d = step * at.M;
-    const auto right = *films_at(table, {at.M + d, at.L}), left = *films_at(table, {at.M - d, at.L});
-    const auto up = *films_at(table, {at.M, at.L + step}), down = *films_at(table, {at.M, at.L - step});
-    for (std::size_t k = 0; k < table_film_count; ++k) {
-      const double film = films[k].value - table_shift(table_films[k]);
-      // The third derivative of the root 0.05 from the corner is below 300 film.
-      const Tolerance small = Tolerance::asymptotic(300 * step * step + 1e-14 / step, "step^2, and rounding/step");
-      EHD_CHECK(std::abs(films[k].by_M - (right[k].value - left[k].value) / (2 * d)) * at.M / film, small);
-      EHD_CHECK(std::abs(films[k].by_L - (up[k].value - down[k].value) / (2 * step)) / film, small);
-    }
+    check_derivatives(table, at, 1e-5, 300);  // of the root 0.05 from the corner
   }
   BOOST_TEST(curved > 100);
 }
