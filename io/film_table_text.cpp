@@ -85,7 +85,7 @@ std::string edge_words(const std::vector<double>& edge) {
 
 /// The errors that a table has next to the bend in place of the others.
 std::string bend_words(const BendErrors& bend) {
-  std::string words = fmt::format("Within {} in ln M of the bend: ", plain(bend.gap));
+  std::string words = fmt::format("Within about {} in ln M of the bend: ", plain(bend.gap));
   if (!bend.stated) return words + "no error is known";
   for (std::size_t k = 0; k < table_film_count; ++k)
     words +=

@@ -73,7 +73,7 @@ class Study {
   /// The parts of a quantity's error. `judged`: the quantity by `levels`.
   [[nodiscard]] ErrorBudget budget_of(Quantity quantity, const Judged& judged, const std::vector<Level>& levels,
                                       const std::optional<Truncation>& truncation) const;
-  /// The least discretisation error of every number but the judged films and the peaks, by those of the films.
+  /// The least discretisation error of every number but the judged films, by theirs.
   [[nodiscard]] double least_discretisation(const std::vector<Level>& levels, bool extrapolate) const;
 
   Problem problem_;

@@ -82,6 +82,15 @@ BOOST_AUTO_TEST_CASE(an_exit_on_which_two_grids_agree_by_chance_has_an_error_tha
   EHD_CHECK(std::abs(exit.value / 1.02193138475 - 1), Tolerance::stated(exit.error.value()));
 }
 
+// A grid of less than 64 intervals has no coarser one beside it. Truth: reference to 4e-8.
+BOOST_AUTO_TEST_CASE(films_of_a_lone_grid_have_errors_that_hold) {
+  const Solution solution =
+      fast::Uniform{}.solve(barus_problem(1.74304, 15.9472, Flooded{}), {.tolerance = {}, .nodes = 62});
+  BOOST_TEST((solution.record.status == StopReason::under_resolved));
+  const Reading& film = solution.observables.at(Quantity::film_central);
+  EHD_CHECK(std::abs(film.value / 1.94684374 - 1), Tolerance::stated(film.error.value()));
+}
+
 BOOST_AUTO_TEST_CASE(four_thousand_nodes_give_three_digits) {
   int rows = 0;
   for (const Truth& truth : moderate) {

@@ -57,6 +57,7 @@ Submission read_submission_csv(const std::filesystem::path& file) {
   Submission made{
       .file = file, .name = one_line(file.stem().string()), .version = {}, .url = {}, .hardware = {}, .results = {}};
   std::map<std::string, std::size_t> place_of;
+  std::set<std::string> of_another_version;  // cases: which of their rows is wrong is not known, and one line says so
   const auto read_row = [&] {
     csv.require_all_cells();
     require_case_id(csv.place(), csv.cell(id));
@@ -65,7 +66,7 @@ Submission read_submission_csv(const std::filesystem::path& file) {
     if (is_new)
       made.results.push_back({.case_id = csv.cell(id), .version = of_row, .numbers = {}, .place = csv.place()});
     SubmittedResult& result = made.results[at->second];
-    if (of_row != result.version)
+    if (of_row != result.version && of_another_version.insert(csv.cell(id)).second)
       throw csv.refuse(version, fmt::format("differs from the version {} of the case at {}; allowed is one version",
                                             result.version, result.place));
     SubmittedNumber number{.quantity = submitted_quantity(csv.place(), csv.cell(quantity)),

@@ -170,6 +170,10 @@ BOOST_AUTO_TEST_CASE(all_faults_of_a_csv_are_named_at_once) {
         {":3: version = 0.5: is no version", ":4: has 4 cells", ":5: version = x: is not a number",
          ":6: value = nan: is not finite"});
   check(header + "own-barus-5-5,1,film.min,1,hertz\n\"own", {":2: film.min: is unknown", ":3: has a quotation mark"});
+  // Which of the rows is wrong is not known: one line for a case.
+  check(header + "own-moes-5-5,2,film.central,1,hertz\nown-moes-5-5,1,film.minimum,1,hertz\n" +
+            "own-moes-5-5,1,film.couette,1,hertz\n",
+        {":3: version = 1: differs from the version 2"});
   std::string many = header;
   for (int row = 0; row < 100; ++row) many += "own-barus-5-5,1,film.minimum,x,hertz\n";
   const auto lines = lines_of(many);
