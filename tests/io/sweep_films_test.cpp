@@ -117,8 +117,8 @@ BOOST_AUTO_TEST_CASE(what_a_table_cannot_give_is_refused_before_anything_is_comp
   };
   refused(changed("[15, 21.0", "[14, 21.0"), "M = 14, L = 7.5 is outside the table; allowed is M 15 to 40, L 7 to 10");
   refused(changed("\"moes.L\" = [7.5, 10]", "\"moes.L\" = [7.5, 10.5]"), "L = 10.5 is outside the table");
-  refused(table_sweep() + "\"lubricant.z\" = [0.68, 0.6]\n", "or the inlet differs from the table's");
-  refused(table_sweep() + "\"domain.inlet\" = [-4.0]\n", "or the inlet differs from the table's");
+  refused(table_sweep() + "\"lubricant.z\" = [0.68, 0.6]\n", "the oil or the inlet differs from the table's");
+  refused(table_sweep() + "\"domain.inlet\" = [-4.0]\n", "the oil or the inlet differs from the table's");
   refused(changed("films = \"table\"", "films = \"solve\""), "belongs to films = \"table\"");
   refused(changed("films = \"table\"", "films = \"sheet\""), "films = \"sheet\"");
   refused(changed("M = [15, 40]\n", ""),

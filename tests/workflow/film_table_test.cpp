@@ -161,6 +161,14 @@ BOOST_AUTO_TEST_CASE(where_no_contact_next_to_the_bend_is_solved_no_error_is_kno
   BOOST_TEST((*films_at(table, {1.1 * corner_M(7), 7}))[1].error == table.errors[1].stated);
 }
 
+// The solves next to the bend stated .006 for the Couette film, until they were asked once more.
+BOOST_AUTO_TEST_CASE(a_loose_table_across_the_bend_converges_as_tighter_ones_do) {
+  const FilmTableRequest request{.range = {.M_low = 1, .M_high = 100, .L_low = 5, .L_high = 20}, .tolerance = 5e-3};
+  const FilmTable table = build_film_table(made_oil(), request, film_solves(made_oil(), request.tolerance, 1, 60));
+  BOOST_TEST((table.status == StopReason::converged));
+  BOOST_TEST(table.errors[2].solves <= solve_share * request.tolerance);
+}
+
 BOOST_AUTO_TEST_CASE(outside_the_range_there_is_no_film) {
   const FilmTable table = made_table();
   const FilmRange& in = made_range;
