@@ -59,7 +59,8 @@ void read_films(const SweepSource& source, Sweep& sweep) {
 
 void require_in_table(const SweepTable& table, const Case& row_case) {
   if (!same_oil(table_oil(row_case), table.oil))
-    throw case_error(row_case, "lubricant", "the oil or the inlet differs from the table's; allowed are those of the case");
+    throw case_error(row_case, "lubricant",
+                     "the oil or the inlet differs from the table's; allowed are those of the case");
   const auto& contact = std::get<ContactCase>(row_case.body);
   const Groups groups = nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet).problem.groups;
   const FilmRange& range = table.range;
