@@ -168,7 +168,7 @@ void require_citable(const std::vector<Case>& cases) {
                                any.file.string(), cases_folder().string(), allowed_id)));
 }
 
-/// An entry without its source would cite half of what has to be cited.
+/// Whoever cites a case also has to cite its source. So each source needs an entry.
 void require_sources(const std::vector<Case>& cases, const Bibliography& bibliography) {
   Faults faults;
   for (const Case& any : cases) {

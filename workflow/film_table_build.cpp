@@ -83,7 +83,7 @@ class GrowingPanel {
     panel_.x_last = plan.x_last;
     panel_.degree_M = panel_.degree_L = first_degree;
     x_ = y_ = leja_points(static_cast<std::size_t>(request_.most_degree) + 1);
-    for (double& x : x_) x = plan.x_first + (plan.x_last - plan.x_first) * (x + 1) / 2;
+    for (double& x : x_) x = solved_x(x);
   }
 
   /// Grows until held-out solves agree with it, or cannot grow. False: given up, since its size does not promise to
@@ -279,7 +279,7 @@ class GrowingPanel {
     std::pair<double, double> chosen;
     for (int k = 0; k < candidates; ++k) {
       auto at = spread_point(spread_points_used_++);
-      at.first = plan_.x_first + (plan_.x_last - plan_.x_first) * (at.first + 1) / 2;
+      at.first = solved_x(at.first);
       const double term = last_terms(at.first, at.second);
       if (!(term > largest_term)) continue;
       largest_term = term;

@@ -65,14 +65,17 @@ BOOST_AUTO_TEST_CASE(every_type_of_bearing_has_a_template_that_says_how_it_is_st
   BOOST_TEST(names.size() >= 10u);
 }
 
-// Needles are 2.5 to 10 times as long as thick (ISO 3096), and no thicker than 6 mm; other rollers are short.
 BOOST_AUTO_TEST_CASE(a_template_of_needles_has_needles) {
+  // ISO 3096: needles are 2.5 to 10 times as long as thick, and no thicker than 6 mm. Other rollers are short.
+  constexpr double least_slenderness = 2.5, largest_slenderness = 10, thickest_m = 6e-3;
   int needles = 0;
   for (const BearingType& type : bearing_types) {
     const bool of_needles = type.what.find("needle") != std::string_view::npos;
     const auto geometry = std::get<BearingCase>(read_case(bearing_template(type, "mine"), "mine.toml").body).geometry;
     const double slender = geometry.length_m / geometry.roller_diameter_m;
-    BOOST_TEST((slender >= 2.5 && slender <= 10 && geometry.roller_diameter_m <= 6e-3) == of_needles, type.name);
+    const bool is_needle =
+        slender >= least_slenderness && slender <= largest_slenderness && geometry.roller_diameter_m <= thickest_m;
+    BOOST_TEST(is_needle == of_needles, type.name);
     BOOST_TEST(geometry.rollers <= bearing::most_rollers(geometry.pitch_diameter_m, geometry.roller_diameter_m));
     needles += of_needles ? 1 : 0;
   }
