@@ -34,10 +34,12 @@ BOOST_AUTO_TEST_CASE(an_exit_on_which_two_grids_agree_by_chance_has_an_error_tha
   check_stated(solution, Quantity::pressure_exit, 1.0115102756);
 }
 
-// Two grids agreed on the largest pressure to 3e-4. Truth: fast to 1e-7.
-BOOST_AUTO_TEST_CASE(a_maximum_on_which_two_grids_agree_by_chance_has_an_error_that_holds) {
+// Two grids agree on the largest pressure to 3e-4, and both are 8e-3 off. The films' error is more than 5 %: so no
+// maximum is reported.
+BOOST_AUTO_TEST_CASE(a_maximum_on_which_two_grids_agree_by_chance_is_not_reported) {
   const Solution solution = Uniform{}.solve(barus_problem(0.71275, 15.565, Flooded{}), on_nodes(48));
-  check_stated(solution, Quantity::pressure_maximum, 0.579227);
+  BOOST_TEST(!solution.observables.contains(Quantity::pressure_maximum));
+  BOOST_TEST(solution.observables.contains(Quantity::film_minimum));
 }
 
 BOOST_AUTO_TEST_CASE(films_of_one_grid_are_within_their_stated_error) {
