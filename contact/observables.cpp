@@ -294,6 +294,8 @@ Observables observe(const Fields& fields, const Wanted& wanted) {
 double roughness_at_centre(const Fields& fields) {
   const Array &X = fields.X, &H = fields.H;
   constexpr Index nodes_at_centre = 8, k = 3;  // k neighbours on each side
+  constexpr Index nodes_beside_peak = 2;
+  constexpr double times_beside_peak = 3.5;
   const Index right = std::lower_bound(X.begin(), X.end(), 0.0) - X.begin();
   const Index first = std::max(right - nodes_at_centre / 2, k);
   const Index last = std::min(right + nodes_at_centre / 2, X.size() - k);
@@ -304,7 +306,9 @@ double roughness_at_centre(const Fields& fields) {
     films << H.segment(i - k, k), H.segment(i + 1, k);
     largest = std::max(largest, std::abs(interpolate(nodes, films, X[i]) / H[i] - 1));
   }
-  return largest;
+  Index peak = 0;
+  fields.P.maxCoeff(&peak);
+  return std::abs(peak - right) <= nodes_beside_peak ? times_beside_peak * largest : largest;
 }
 
 void keep_wanted(Observables& observables, const Wanted& wanted) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/observables.hpp"
+#include "reference/hp/steep_layer.hpp"
 
 namespace ehd::reference::hp {
 
@@ -36,6 +37,15 @@ double bend_at_zero(const AtFloor& lowest, const AtFloor& next, const AtFloor& t
   return lowest.floor * excess(r) * change / (std::log(r) + excess(s) - excess(r));
 }
 
+/// Largest minus smallest film within `distance` of X = 0, and at the next node on each side.
+double change_around_centre(const Fields& fields, double distance) {
+  const Array &X = fields.X, &H = fields.H;
+  const auto first = std::max(std::lower_bound(X.begin(), X.end(), -distance) - X.begin() - 1, std::ptrdiff_t{0});
+  const auto last = std::min(std::upper_bound(X.begin(), X.end(), distance) - X.begin(), X.size() - 1);
+  const auto around = H.segment(first, last - first + 1);
+  return around.maxCoeff() - around.minCoeff();
+}
+
 }  // namespace
 
 double size_of(Quantity quantity, double value) { return has_absolute_error(quantity) ? 1 : std::abs(value); }
@@ -55,6 +65,21 @@ AtZero carried_to_zero(const std::vector<AtFloor>& floors) {
               std::max((confirmed ? floor_safety : unconfirmed_safety) * std::abs(move), bend_safety * std::abs(bend))};
 }
 
+namespace {
+
+/// carried_to_zero() for the film at X = 0, which the steep layer passes or nears when the floor falls.
+AtZero central_film_at_zero(const Discretised& done, std::vector<AtFloor> floors) {
+  const std::vector<SteepPlace> places = places_apart(done.floors);
+  const LayerPath path = *expected_path(places);
+  if (floors.size() > 2 && is_at_centre(path, places.front())) floors.pop_back();
+  const AtZero carried = carried_to_zero(floors);
+  if (!is_at_centre(path, places.back())) return carried;
+  const double change = change_around_centre(done.fields, unsettled_distance(path));
+  return {.value = floors.front().value, .error = std::max(carried.error, change)};
+}
+
+}  // namespace
+
 void carry_to_zero(const Problem& problem, const Wanted& wanted, Discretised& done) {
   const std::vector<std::size_t> apart = floors_apart(done.floors);
   if (done.last().floor == 0 || apart.size() < 2) return;
@@ -67,7 +92,7 @@ void carry_to_zero(const Problem& problem, const Wanted& wanted, Discretised& do
     for (std::size_t k = 0; k < above.size() && above[k].contains(quantity); ++k)
       floors.push_back({done.floors[apart[k + 1]].floor, above[k].at(quantity).value});
     if (floors.size() < 2) continue;
-    AtZero zero = carried_to_zero(floors);
+    AtZero zero = quantity == Quantity::film_central ? central_film_at_zero(done, floors) : carried_to_zero(floors);
     if (is_pressure_peak(quantity)) {
       zero.error = std::max(zero.error, peak_safety * std::abs(zero.value - reading.value));
       zero.value = reading.value;

@@ -24,7 +24,7 @@ constexpr int second_degree = 3;
 constexpr double second_shift = 0.37, second_inlet_part = 0.5;
 
 /// Where the start tries: floors of the fluidity, films over the expected one.
-constexpr double start_floors[] = {1e-2, 1e-1, 1.0};
+constexpr double start_floors[] = {1e-2, 3e-2, 1e-1, 3e-1, 1.0};
 /// Expected films above this one try the rigid gap's pressure before Hertz'.
 constexpr double thick_film = 0.5;
 
@@ -146,7 +146,7 @@ std::optional<Discretised> Discretiser::discretised(const std::vector<Resolved>&
   for (auto from = floors.rbegin(); from != floors.rend() && !meter_.spent(); ++from) {
     const auto top = on_mesh_of(*from, scheme, resolution, limits);
     if (!top) continue;
-    Discretised done = observed(descent(problem_, *top, resolution, limits, meter_), resolution, limits);
+    Discretised done = observed(descent(problem_, *top, resolution, limits, meter_, floors), resolution, limits);
     // An extrapolation needs two floors, and a third one to judge it. Where they are missing, higher floors are solved.
     for (auto above = from; done.last().floor > 0 && floors_apart(done.floors).size() < 3 && above != floors.rend();
          ++above) {

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
+#include "contact/observables.hpp"
 #include "reference/hp/steep_layer.hpp"
 
 namespace ehd::reference::hp {
@@ -27,6 +29,9 @@ constexpr double factor_growth = 10;
 /// A step that fails takes the square root of the factor. Each step that succeeds after it raises the factor to this
 /// power. A failure costs as much as four successes, so that the factor must grow slowly.
 constexpr double power_after_a_failure = 1.25;
+/// Places of the steep layer that give its path, the last ones. After a step that fails it is the other number: with
+/// two, the power is that of Barus oil.
+constexpr std::ptrdiff_t most_followed = 3, fewest_followed = 2;
 /// Rounding of a balance in units of the machine's epsilon and of its terms.
 constexpr double rounding_units = 10;
 
@@ -156,10 +161,9 @@ std::optional<Resolved> resolved(const Problem& problem, const Resolved& from, c
 namespace {
 
 /// Where the search at the next floor begins: the last solution, on a mesh that follows the steep layer where it can.
-Resolved lowered(const Problem& problem, const Resolved& last, const std::vector<SteepPlace>& places, double factor,
+Resolved lowered(const Problem& problem, const Resolved& last, const std::optional<LayerPath>& path, double factor,
                  double shortest) {
   const double floor = last.floor / factor < lowest_floor ? 0 : last.floor / factor;
-  const auto path = path_of(places);
   if (floor > 0 && path) {
     if (auto start = followed(problem, last, *path, floor, shortest)) return std::move(*start);
   }
@@ -168,16 +172,31 @@ Resolved lowered(const Problem& problem, const Resolved& last, const std::vector
   return start;
 }
 
+/// The layer at `top` and at up to two of the floors above it, floors falling.
+std::vector<SteepPlace> places_down_to(const Resolved& top, const std::vector<Resolved>& above) {
+  std::vector<SteepPlace> places{steep_place(top)};
+  for (auto at = above.rbegin(); at != above.rend() && places.size() < 3; ++at)
+    if (at->floor > places.front().floor) places.insert(places.begin(), steep_place(*at));
+  return places;
+}
+
+bool films_are_settled(const Problem& problem, const std::vector<Resolved>& floors, double settled) {
+  return floor_gap(floors) < settled && !is_at_centre(places_apart(floors)) &&
+         !(central_gap(problem, floors) > settled);
+}
+
 }  // namespace
 
 std::vector<Resolved> descent(const Problem& problem, const Resolved& top, const Resolution& resolution,
-                              const HomotopyLimits& limits, Meter& meter) {
+                              const HomotopyLimits& limits, Meter& meter, const std::vector<Resolved>& above) {
   std::vector<Resolved> floors{top};
-  std::vector<SteepPlace> places{steep_place(top)};
+  std::vector<SteepPlace> places = places_down_to(top, above);
   double factor = first_factor;
   bool has_failed = false;
+  std::ptrdiff_t followed = most_followed;
   while (floors.back().floor > 0 && !meter.spent()) {
-    const Resolved start = lowered(problem, floors.back(), places, factor, limits.shortest_element);
+    const auto path = path_of({places.end() - std::min(followed, std::ssize(places)), places.end()});
+    const Resolved start = lowered(problem, floors.back(), path, factor, limits.shortest_element);
     if (auto solved = resolved(problem, start, resolution, limits, meter)) {
       floors.push_back(std::move(*solved));
       places.push_back(steep_place(floors.back()));
@@ -185,8 +204,9 @@ std::vector<Resolved> descent(const Problem& problem, const Resolved& top, const
       continue;
     }
     has_failed = true;
+    followed = followed == most_followed ? fewest_followed : most_followed;
     factor = std::sqrt(factor);
-    if (factor < smallest_factor || floor_gap(floors) < limits.settled) break;
+    if (factor < smallest_factor || films_are_settled(problem, floors, limits.settled)) break;
   }
   return floors;
 }
@@ -198,13 +218,29 @@ std::vector<std::size_t> floors_apart(const std::vector<Resolved>& floors) {
   return found;
 }
 
-double floor_gap(const std::vector<Resolved>& floors) {
+namespace {
+
+/// Relative change of a value that is left between the last floor and floor 0, if it is linear in a small floor.
+double gap_of(const std::vector<Resolved>& floors, const std::function<double(const Resolved&)>& value) {
   const Resolved& last = floors.back();
   if (last.floor == 0) return 0;
   const auto apart = floors_apart(floors);
   if (apart.size() < 2) return std::numeric_limits<double>::infinity();
   const Resolved& before = floors[apart[1]];
-  return std::abs(last.run.state.flux / before.run.state.flux - 1) * last.floor / (before.floor - last.floor);
+  return std::abs(value(last) / value(before) - 1) * last.floor / (before.floor - last.floor);
+}
+
+}  // namespace
+
+double floor_gap(const std::vector<Resolved>& floors) {
+  return gap_of(floors, [](const Resolved& solved) { return solved.run.state.flux; });
+}
+
+double central_gap(const Problem& problem, const std::vector<Resolved>& floors) {
+  return gap_of(floors, [&](const Resolved& solved) {
+    const auto central = observed::film_central(fields_of(problem, solved));
+    return central ? central->value : std::numeric_limits<double>::quiet_NaN();
+  });
 }
 
 Fields fields_of(const Problem& problem, const Resolved& resolved) {

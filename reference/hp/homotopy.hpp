@@ -44,9 +44,11 @@ struct HomotopyLimits {
                                                const Resolution& resolution, const HomotopyLimits& limits,
                                                Meter& meter);
 
-/// Lowers the floor to 0 as far as it goes: every floor at which a solution was resolved, the first being `top`.
+/// Lowers the floor to 0 as far as it goes: every floor at which a solution was resolved, the first being `top`. Known
+/// solutions at higher floors tell where the steep layer goes; without them the first mesh does not follow it.
 [[nodiscard]] std::vector<Resolved> descent(const Problem& problem, const Resolved& top, const Resolution& resolution,
-                                            const HomotopyLimits& limits, Meter& meter);
+                                            const HomotopyLimits& limits, Meter& meter,
+                                            const std::vector<Resolved>& above = {});
 
 /// Floors to extrapolate from are this many times apart. Closer ones would amplify the noise of their meshes.
 inline constexpr double floor_ratio = 3;
@@ -55,6 +57,8 @@ inline constexpr double floor_ratio = 3;
 /// Relative change of the flux that is left between the last floor and floor 0; the flux is linear in a small floor. 0
 /// where the descent reached 0, infinite where no two floors are apart.
 [[nodiscard]] double floor_gap(const std::vector<Resolved>& floors);
+/// The same of the central film; NaN where the domain does not hold X = 0.
+[[nodiscard]] double central_gap(const Problem& problem, const std::vector<Resolved>& floors);
 
 /// Nodal values, as observe() reads them, with what a flooded contact has before its inlet.
 [[nodiscard]] Fields fields_of(const Problem& problem, const Resolved& resolved);

@@ -76,6 +76,27 @@ BOOST_AUTO_TEST_CASE(places_that_are_on_no_path_have_none) {
   BOOST_TEST(!path_of({{1e-2, 0.9}, {1e-3, 0.8}, {1e-4, 0.6}}).has_value());   // it goes faster and faster
 }
 
+BOOST_AUTO_TEST_CASE(a_layer_on_no_path_is_expected_to_go_on_as_in_its_larger_step) {
+  BOOST_TEST(!expected_path({}).has_value());
+  BOOST_TEST(!expected_path({{1e-2, 0.9}}).has_value());
+  const auto path = expected_path({{1e-2, 0.9}, {1e-3, 0.8}, {1e-4, 0.85}});
+  BOOST_REQUIRE(path.has_value());
+  EHD_CHECK(std::abs(path->end - 0.75), Tolerance::round_off(16, 1));
+  const auto fitted = places_of(0.9, 0.5, {1e-2, 2e-3, 7e-4});
+  BOOST_TEST(expected_path(fitted).value().end == path_of(fitted).value().end);
+}
+
+BOOST_AUTO_TEST_CASE(a_layer_is_at_the_centre_within_thirty_times_of_what_it_still_goes) {
+  BOOST_TEST(!is_at_centre({}));
+  BOOST_TEST(!is_at_centre({{1e-6, 1e-4}}));
+  for (const double side : {-1.0, 1.0}) {
+    const LayerPath path{.end = side * 0.029, .reach = 1e-3, .power = 0.5};
+    BOOST_TEST(is_at_centre(path, {.floor = 1e-8, .X = path.end + path.reach}));
+    BOOST_TEST(!is_at_centre(path, {.floor = 1e-8, .X = path.end + 0.9 * path.reach}));
+    EHD_CHECK(std::abs(unsettled_distance(path) - 5e-3), Tolerance::round_off(16, 1));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_path_tells_where_the_next_floor_has_its_layer) {
   const Problem problem = barus_problem(20, 10, TruncatedAt{-4});
   const auto floors = floors_of(problem, 0.1);
