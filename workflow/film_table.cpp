@@ -15,6 +15,10 @@ double table_error_unit(Quantity film, double value) {
   return has_absolute_error(film) ? std::max(1.0, value - table_shift(film)) : value;
 }
 
+double table_unit_of_stated(Quantity film, double value) {
+  return has_absolute_error(film) ? table_error_unit(film, value) : 1;
+}
+
 bool FilmRange::contains(const MoesGroups& at) const {
   return at.M >= M_low && at.M <= M_high && at.L >= L_low && at.L <= L_high;
 }

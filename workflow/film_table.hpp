@@ -34,6 +34,8 @@ using ByFilm = std::array<Value, table_film_count>;  ///< in the order of table_
 /// What an error is divided by. A film: itself. The offset: its rise above the dry value where that is above 1, else 1.
 /// So the error of a small offset is absolute (Hertz units), as everywhere.
 [[nodiscard]] double table_error_unit(Quantity film, double value);
+/// table_error_unit in units of a stated error, which is relative for a film and absolute for the offset.
+[[nodiscard]] double table_unit_of_stated(Quantity film, double value);
 
 struct FilmRange {
   double M_low = 0, M_high = 0;  ///< 0 < M_low < M_high

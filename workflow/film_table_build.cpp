@@ -145,9 +145,9 @@ class GrowingPanel {
       const auto films = films_in(panel_, contacts[i]);
       for (std::size_t k = 0; k < table_film_count; ++k) {
         const Quantity film = table_films[k];
-        const double unit = table_error_unit(film, solved[i].value[k]);
-        const double found = std::abs(films[k].value - solved[i].value[k]) / unit;
-        const double of_solve = solved[i].error[k] / (has_absolute_error(film) ? unit : 1);
+        const double value = solved[i].value[k];
+        const double found = std::abs(films[k].value - value) / table_error_unit(film, value);
+        const double of_solve = solved[i].error[k] / table_unit_of_stated(film, value);
         (*stated)[k] = std::max((*stated)[k], found_factor * found + of_solve);
       }
     }
@@ -166,9 +166,8 @@ class GrowingPanel {
         if (!(solved[i].value[k] > table_shift(table_films[k])))
           throw NotSolved{fmt::format("{} at M = {}, L = {} has no logarithm", to_string(table_films[k]),
                                       plain(contacts[i].M), plain(contacts[i].L))};
-        const double unit =
-            has_absolute_error(table_films[k]) ? table_error_unit(table_films[k], solved[i].value[k]) : 1;
-        solves_[k] = std::max(solves_[k], solved[i].error[k] / unit);
+        solves_[k] =
+            std::max(solves_[k], solved[i].error[k] / table_unit_of_stated(table_films[k], solved[i].value[k]));
       }
     }
     count += static_cast<long>(contacts.size());

@@ -32,9 +32,8 @@ ContactRun run_from_table(const Case& contact_case, const FilmTable& table) {
   const auto films = films_at(table, {.M = made.problem.groups.M, .L = made.problem.groups.L});
   for (std::size_t k = 0; films && k < table_film_count; ++k) {
     const double value = (*films)[k].value;
-    const double unit = has_absolute_error(table_films[k]) ? table_error_unit(table_films[k], value) : 1;
     Reading& film = run.solution.observables[table_films[k]] = {.value = value};
-    if (std::isfinite((*films)[k].error)) film.error = (*films)[k].error * unit;
+    if (std::isfinite((*films)[k].error)) film.error = (*films)[k].error * table_unit_of_stated(table_films[k], value);
   }
   return run;
 }

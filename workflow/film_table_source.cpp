@@ -41,10 +41,8 @@ SolvedFilms films_of(const Solution& solution) {
 /// The largest error of a film, in units of table_error_unit.
 double largest_error(const SolvedFilms& films) {
   double largest = 0;
-  for (std::size_t k = 0; k < table_film_count; ++k) {
-    const double unit = has_absolute_error(table_films[k]) ? table_error_unit(table_films[k], films.value[k]) : 1;
-    largest = std::max(largest, films.error[k] / unit);
-  }
+  for (std::size_t k = 0; k < table_film_count; ++k)
+    largest = std::max(largest, films.error[k] / table_unit_of_stated(table_films[k], films.value[k]));
   return largest;
 }
 
