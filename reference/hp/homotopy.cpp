@@ -29,8 +29,8 @@ constexpr double factor_growth = 10;
 /// A step that fails takes the square root of the factor. Each step that succeeds after it raises the factor to this
 /// power. A failure costs as much as four successes, so that the factor must grow slowly.
 constexpr double power_after_a_failure = 1.25;
-/// Places of the steep layer that give its path, the last ones. After a step that fails it is the other number: with
-/// two, the power is that of Barus oil.
+/// The path of the steep layer goes through its last three places, or its last two. Each step that fails changes from
+/// one to the other. With two places the power is that of Barus oil.
 constexpr std::ptrdiff_t most_followed = 3, fewest_followed = 2;
 /// Rounding of a balance in units of the machine's epsilon and of its terms.
 constexpr double rounding_units = 10;
