@@ -60,6 +60,17 @@ int degree_for(int intervals) {
 /// Rounding of a film in units of the machine's epsilon and of the terms that H is a difference of.
 constexpr double rounding_units = 10;
 
+/// Where the fluidity keeps a floor, the second discretisation resolves films and the pressure by this factor better
+/// than the first one. With equal resolutions both share the error that a mesh leaves at the steep layer: at
+/// (110.2, 25.69), Barus, cut at -4, asked for 4e-5, the films differed by 6e-7 and were 1.4e-5 off.
+constexpr double second_finer = 0.1;
+
+Resolution finer(Resolution resolution) {
+  resolution.film *= second_finer;
+  resolution.spike *= second_finer;
+  return resolution;
+}
+
 /// The second discretisation that goes with a scheme.
 Scheme second_to(const Scheme& scheme) {
   return {.points = Points::left_radau,
@@ -165,7 +176,8 @@ std::optional<DiscretisedTwice> Discretiser::discretised_twice(const std::vector
                                                                double tolerance) {
   auto first = discretised(coarse, scheme, resolution, tolerance);
   if (!first) return std::nullopt;
-  auto second = discretised(first->floors, second_to(scheme), resolution, tolerance);
+  const Resolution closer = first->last().floor > 0 ? finer(resolution) : resolution;
+  auto second = discretised(first->floors, second_to(scheme), closer, tolerance);
   if (!second) second = discretised(coarse, second_to(scheme), resolution, tolerance);
   if (!second) return std::nullopt;
   return DiscretisedTwice{std::move(*first), std::move(*second)};
