@@ -31,12 +31,12 @@ struct Facts {
   std::optional<double> reduced_modulus_Pa = {};        ///< E'
   std::optional<double> roller_density_kg_per_m3 = {};
   std::optional<double> roughness_m = {};
-  std::optional<double> hertz_pressure_Pa = {};           ///< the highest
-  std::optional<double> film_minimum_m = {};              ///< the thinnest
-  std::optional<double> rollers_over_circumference = {};  ///< Z D/(pi d_m)
-  std::optional<double> length_over_diameter = {};        ///< l/D
-  std::optional<double> diameter_over_pitch = {};         ///< D/d_m
-  std::optional<double> clearance_over_pitch = {};        ///< P_d/d_m
+  std::optional<double> hertz_pressure_Pa = {};     ///< the highest
+  std::optional<double> film_minimum_m = {};        ///< the thinnest
+  std::optional<double> rollers_over_fitting = {};  ///< Z asin(D/d_m)/pi: neighbours are a chord apart
+  std::optional<double> length_over_diameter = {};  ///< l/D
+  std::optional<double> diameter_over_pitch = {};   ///< D/d_m
+  std::optional<double> clearance_over_pitch = {};  ///< P_d/d_m
 };
 [[nodiscard]] Facts facts_of(const ContactCase& contact, const ContactRun& run);
 /// `rollers` may be empty: then the stated numbers alone are known.
