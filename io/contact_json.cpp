@@ -60,7 +60,10 @@ Json reading_json(const ContactRun& run, const QuantityRow& row, const Reading& 
     if (reading.place && b_m) put(json, "x_m", *reading.place * *b_m);
   }
   put(json, "error", reading.error);
-  if (row.budget && reading.error) json["errors"] = budget_json(run.solution.record.*row.budget);
+  if (row.budget && reading.error) {
+    const ErrorBudget& budget = run.solution.record.*row.budget;
+    if (budget.total() > 0) json["errors"] = budget_json(budget);  // a film of a table has no parts
+  }
   return json;
 }
 
