@@ -13,6 +13,7 @@
 #include "contact/stated_error.hpp"
 #include "io/json.hpp"
 #include "io/result_head.hpp"
+#include "workflow/film_table_run.hpp"
 #include "workflow/shown_pressure.hpp"
 
 namespace ehd {
@@ -60,10 +61,8 @@ Json reading_json(const ContactRun& run, const QuantityRow& row, const Reading& 
     if (reading.place && b_m) put(json, "x_m", *reading.place * *b_m);
   }
   put(json, "error", reading.error);
-  if (row.budget && reading.error) {
-    const ErrorBudget& budget = run.solution.record.*row.budget;
-    if (budget.total() > 0) json["errors"] = budget_json(budget);  // a film of a table has no parts
-  }
+  const bool has_parts = run.solver != table_solver;  // a table knows the whole error alone
+  if (row.budget && reading.error && has_parts) json["errors"] = budget_json(run.solution.record.*row.budget);
   return json;
 }
 
