@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "contact/oil_laws.hpp"
 #include "contact/text.hpp"
@@ -97,8 +96,8 @@ constexpr std::array table{
                .shown_over_SI = 1e9,
                .unit = "nm",
                .reason = "less than a molecule of oil is long"},
-    UsualRange{.name = "Z asin(D/d_m)/pi",
-               .fact = &Facts::rollers_over_fitting,
+    UsualRange{.name = "rollers over the most that fit",
+               .fact = &Facts::rollers_over_most,
                .lowest = {},
                .highest = 1,
                .unit = "",
@@ -199,9 +198,7 @@ Facts facts_of(const BearingCase& body, const std::vector<RollerRow>& rollers) {
   facts.roughness_m = body.roughness_m;
   facts.reduced_modulus_Pa = bearing::reduced_modulus_Pa(body.modulus_Pa, body.poisson);
   facts.roller_density_kg_per_m3 = geometry.density_kg_per_m3;
-  const double fitting = std::numbers::pi / std::asin(D / d_m);
-  const bool fit = geometry.rollers <= bearing::most_rollers(d_m, D);  // those that touch fit, whatever is rounded
-  facts.rollers_over_fitting = fit ? std::min(geometry.rollers / fitting, 1.0) : geometry.rollers / fitting;
+  facts.rollers_over_most = static_cast<double>(geometry.rollers) / bearing::most_rollers(d_m, D);
   facts.length_over_diameter = geometry.length_m / D;
   facts.diameter_over_pitch = D / d_m;
   facts.clearance_over_pitch = geometry.clearance_m / d_m;

@@ -33,7 +33,7 @@ struct Facts {
   std::optional<double> roughness_m = {};
   std::optional<double> hertz_pressure_Pa = {};     ///< the highest
   std::optional<double> film_minimum_m = {};        ///< the thinnest
-  std::optional<double> rollers_over_fitting = {};  ///< Z asin(D/d_m)/pi: neighbours are a chord apart
+  std::optional<double> rollers_over_most = {};     ///< Z over bearing::most_rollers
   std::optional<double> length_over_diameter = {};  ///< l/D
   std::optional<double> diameter_over_pitch = {};   ///< D/d_m
   std::optional<double> clearance_over_pitch = {};  ///< P_d/d_m

@@ -49,12 +49,12 @@ BOOST_AUTO_TEST_CASE(slips_of_a_unit_are_named) {
   BOOST_TEST((after([](BearingCase& b) { b.modulus_Pa = 2.06e8; }) == Names{"E'"}));
   BOOST_TEST((after([](BearingCase& b) { b.geometry.density_kg_per_m3 = 7.85; }) == Names{"density of the rollers"}));
   BOOST_TEST((after([](BearingCase& b) { b.geometry.clearance_m = -0.1; }) == Names{"P_d/d_m"}));
-  BOOST_TEST((after([](BearingCase& b) { b.geometry.rollers *= 3; }) == Names{"Z asin(D/d_m)/pi"}));
-  // The arcs of 7 rollers would fit, and the rollers do not. 6 of half the pitch diameter touch.
+  BOOST_TEST((after([](BearingCase& b) { b.geometry.rollers *= 3; }) == Names{"rollers over the most that fit"}));
+  // 7 of these rollers cover less than the pitch circle, but only 6 fit. 6 rollers of half its diameter touch.
   BOOST_TEST((after([](BearingCase& b) {
                 b.geometry.rollers = 7;
                 b.geometry.roller_diameter_m = 0.44 * b.geometry.pitch_diameter_m;
-              }) == Names{"Z asin(D/d_m)/pi", "D/d_m"}));
+              }) == Names{"rollers over the most that fit", "D/d_m"}));
   BOOST_TEST((after([](BearingCase& b) {
                 b.geometry.rollers = 6;
                 b.geometry.roller_diameter_m = b.geometry.pitch_diameter_m / 2;
