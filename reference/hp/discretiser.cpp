@@ -60,14 +60,14 @@ int degree_for(int intervals) {
 /// Rounding of a film in units of the machine's epsilon and of the terms that H is a difference of.
 constexpr double rounding_units = 10;
 
-/// Where the fluidity keeps a floor, the second discretisation resolves films and the pressure by this factor better
-/// than the first one. With equal resolutions both share the error that a mesh leaves at the steep layer: at
-/// (110.2, 25.69), Barus, cut at -4, asked for 4e-5, the films differed by 6e-7 and were 1.4e-5 off.
-constexpr double second_finer = 0.1;
+/// Where a floor stays under the fluidity, the limits of the second discretisation for films and pressure are those of
+/// the first one times this. With the same limits both had the same error at the steep layer: at (110.2, 25.69), Barus,
+/// alpha 1.1e-8, cut at -4, asked for 4e-5, their films differed by 6e-7, and both were off by 1.4e-5.
+constexpr double second_limits = 0.1;
 
 Resolution finer(Resolution resolution) {
-  resolution.film *= second_finer;
-  resolution.spike *= second_finer;
+  resolution.film *= second_limits;
+  resolution.spike *= second_limits;
   return resolution;
 }
 
@@ -178,7 +178,7 @@ std::optional<DiscretisedTwice> Discretiser::discretised_twice(const std::vector
   if (!first) return std::nullopt;
   const Resolution closer = first->last().floor > 0 ? finer(resolution) : resolution;
   auto second = discretised(first->floors, second_to(scheme), closer, tolerance);
-  if (!second) second = discretised(coarse, second_to(scheme), resolution, tolerance);
+  if (!second) second = discretised(coarse, second_to(scheme), closer, tolerance);
   if (!second) return std::nullopt;
   return DiscretisedTwice{std::move(*first), std::move(*second)};
 }
