@@ -179,24 +179,10 @@ struct Account {
   bool all_balanced = true;
 };
 
-/// The sum of the numerical errors. The datum is not among them: the case chooses it.
-BearingErrors errors_in(const std::vector<BudgetRow>& budget) {
-  BearingErrors errors;
-  for (const BudgetRow& row : budget) {
-    if (row.source == datum_source) continue;
-    errors.displacement_m += row.displacement_m;
-    errors.largest_force_N += row.largest_force_N;
-    errors.any_force_N += row.any_force_N;
-    if (row.smallest_film) errors.smallest_film = errors.smallest_film.value_or(0) + *row.smallest_film;
-  }
-  return errors;
-}
-
 /// Adds one case to the account. A result without a budget gets a note that says so.
 void add_case(Account& account, const Case& one, std::vector<BearingResult>& results, const Asked& asked,
               ContactMemory& memory) {
   std::string budgets;
-  BearingView view{.details = asked.details};
   const bool by_ehd = std::any_of(results.begin(), results.end(),
                                   [](const BearingResult& result) { return result.law == bearing::Law::ehd; });
   for (BearingResult& result : results) {
@@ -205,10 +191,10 @@ void add_case(Account& account, const Case& one, std::vector<BearingResult>& res
       if (const auto why = why_no_budget(one, results, result.law, memory))
         result.notes.emplace_back(note::NoBudget{*why});
     if (result.fit && !full_relation_in(results)) result.notes.emplace_back(note::LineAlone{.ehd_failed = by_ehd});
+    result.errors = numerical_errors(budget);
     account.list.push_back(to_json(result, full_relation_in(results)));
     if (!budget.empty()) {
       account.list.back()["error_budget"] = to_json(budget);
-      if (const BearingErrors errors = errors_in(budget); errors.are_known()) view.errors[result.law] = errors;
       budgets += fmt::format("\n  error budget of {}: what may move its balance\n{}", to_string(result.law),
                              human_budget(budget));
     }
@@ -217,7 +203,7 @@ void add_case(Account& account, const Case& one, std::vector<BearingResult>& res
     account.complaints.push_back(
         fmt::format("ehd: {}: {}: {}: {}", one.id, to_string(result.law), to_string(result.status), result.why));
   }
-  account.text = human_table(one, results, view) + (asked.details ? budgets : "");
+  account.text = human_table(one, results, {.details = asked.details}) + (asked.details ? budgets : "");
   if (!std::get<BearingCase>(one.body).lubricant && asked.laws.empty())
     account.text += "\n  ehd-linear and ehd are skipped: the case has no lubricant\n";
 }

@@ -57,6 +57,13 @@ Json to_json(const BearingResult& result, const ContactPlace& place) {
   return json;
 }
 
+Json to_json(const BearingErrors& errors) {
+  return numbers({{"displacement_m", errors.displacement_m},
+                  {"largest_force_N", errors.largest_force_N},
+                  {"any_force_N", errors.any_force_N},
+                  {"smallest_film_relative", errors.smallest_film}});
+}
+
 Json to_json(const CageTurn& turn) {
   const auto range = [](const CageTurn::Range& one) {
     return numbers({{"mean", one.mean}, {"peak_to_peak", one.peak_to_peak}});
@@ -196,6 +203,7 @@ Json to_json(const BearingResult& result, const BearingResult* full) {
     if (result.cage) json["cage"] = to_json(*result.cage);
     json["rollers"] = to_json(result.rollers);
     put(json, "balance_error", result.balance_error);
+    if (result.errors) json["errors"] = to_json(*result.errors);
   } else {
     json["why"] = result.why;
   }

@@ -23,7 +23,6 @@ constexpr double rounding_deg = 1e-6;  // a load zone that lies less askew is sy
 struct Column {
   const BearingCase& body;
   const BearingResult& result;
-  const BearingErrors* errors;
   const BearingResult* full;  ///< the result of the law ehd; null where the table has none
 
   [[nodiscard]] std::string without_error(double value, int digits_of_dry = 6) const {
@@ -31,11 +30,11 @@ struct Column {
   }
   [[nodiscard]] std::string displacement() const {
     const double um = um_per_m * result.displacement_m;
-    return errors ? with_absolute_error(um, um_per_m * errors->displacement_m) : without_error(um);
+    return result.errors ? with_absolute_error(um, um_per_m * result.errors->displacement_m) : without_error(um);
   }
   [[nodiscard]] std::string largest_load() const {
     const double force_N = largest_force_N(result);
-    return errors ? with_absolute_error(force_N, errors->largest_force_N) : without_error(force_N);
+    return result.errors ? with_absolute_error(force_N, result.errors->largest_force_N) : without_error(force_N);
   }
   /// p_H grows with the root of the force.
   [[nodiscard]] std::string largest_pressure() const {
@@ -43,7 +42,8 @@ struct Column {
     if (!place) return "-";
     const ContactRow& contact = contact_at(*place);
     const double MPa = MPa_per_Pa * *contact.hertz_pressure_Pa;
-    return errors ? with_error(MPa, errors->largest_force_N / contact.force_N / 2) : without_error(MPa, 5);
+    return result.errors ? with_error(MPa, result.errors->largest_force_N / contact.force_N / 2)
+                         : without_error(MPa, 5);
   }
   [[nodiscard]] const ContactRow& contact_at(const ContactPlace& place) const {
     return result.rollers[place.roller].at(place.raceway);
@@ -65,9 +65,9 @@ struct Column {
     if (std::abs(zone->first + zone->second) > rounding_deg)
       return fmt::format("{:.1f} to {:.1f}", zone->first, zone->second);
     const double cosine = body.geometry.clearance_m / 2 / result.displacement_m;
-    if (!errors || cosine <= -1) return fmt::format("+-{:.1f}", zone->second);
+    if (!result.errors || cosine <= -1) return fmt::format("+-{:.1f}", zone->second);
     const double cotangent = std::abs(cosine) / std::sqrt(1 - cosine * cosine);
-    const double error_deg = deg_per_rad * cotangent * errors->displacement_m / result.displacement_m;
+    const double error_deg = deg_per_rad * cotangent * result.errors->displacement_m / result.displacement_m;
     return "+-" + with_absolute_error(zone->second, error_deg);
   }
   [[nodiscard]] std::string loaded() const {
@@ -84,7 +84,8 @@ struct Column {
     return ratio ? with_film_error(*ratio) : "-";
   }
   [[nodiscard]] std::string with_film_error(double value) const {
-    return errors && errors->smallest_film ? with_error(value, errors->smallest_film) : plain(value, 3);
+    return result.errors && result.errors->smallest_film ? with_error(value, result.errors->smallest_film)
+                                                         : plain(value, 3);
   }
   [[nodiscard]] static std::string stated(double value, const std::optional<double>& error) {
     return error && std::isfinite(*error) ? with_error(value, error) : plain(value, unstated_digits);
@@ -109,8 +110,7 @@ std::string azimuth_text(const bearing::RollerGroup& group, double azimuth_deg) 
   return group.members.size() > 1 ? "+-" + plain(std::abs(azimuth_deg), 5) : plain(azimuth_deg, 5);
 }
 
-std::string summary_table(const BearingCase& body, const std::vector<BearingResult>& results,
-                          const ErrorsOfLaws& errors) {
+std::string summary_table(const BearingCase& body, const std::vector<BearingResult>& results) {
   std::vector<std::vector<std::string>> rows{{""},
                                              {"displacement [um]"},
                                              {"largest roller load [N]"},
@@ -126,9 +126,7 @@ std::string summary_table(const BearingCase& body, const std::vector<BearingResu
   const BearingResult* full = full_relation_in(results);
   for (const BearingResult& result : results) {
     if (result.rollers.empty()) continue;
-    const auto known = errors.find(result.law);
-    const Column column{
-        .body = body, .result = result, .errors = known == errors.end() ? nullptr : &known->second, .full = full};
+    const Column column{.body = body, .result = result, .full = full};
     const std::vector<std::string> cells{std::string(to_string(result.law)),
                                          column.displacement(),
                                          column.largest_load(),

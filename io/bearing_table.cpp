@@ -81,31 +81,24 @@ struct RollerColumn {
   std::function<std::string(const ContactRow& inner)> cell;
 };
 
-const BearingErrors* errors_of(const BearingResult& result, const ErrorsOfLaws& errors) {
-  const auto known = errors.find(result.law);
-  return known == errors.end() ? nullptr : &known->second;
-}
-
 /// Whether a law with films has no error budget: then no more than three digits are shown.
-bool unstated(const BearingResult& result, const ErrorsOfLaws& errors) {
-  return needs_film(result.law) && !errors_of(result, errors);
-}
+bool unstated(const BearingResult& result) { return needs_film(result.law) && !result.errors; }
 
 /// A force of a roller, in the digits that its error leaves.
-std::string force_text(const BearingResult& result, const ErrorsOfLaws& errors, double force_N) {
+std::string force_text(const BearingResult& result, double force_N) {
   constexpr double three_digits_from_N = 100;
-  const bool whole = unstated(result, errors) && largest_force_N(result) >= three_digits_from_N;
-  const BearingErrors* const known = errors_of(result, errors);
+  const bool whole = unstated(result) && largest_force_N(result) >= three_digits_from_N;
+  const std::optional<BearingErrors>& known = result.errors;
   return cut_at_error(force_N, known ? known->any_force_N : 0, whole ? 0 : 1);
 }
 
 /// The columns of one law. Where a roller carries next to nothing, its pressure is rounding and its film is the gap
 /// that the ring leaves. p_H grows with the root of the force; a film varies at most as its reciprocal, which a rigid
 /// contact's does.
-std::vector<RollerColumn> columns_of(const BearingResult& result, const ErrorsOfLaws& errors) {
+std::vector<RollerColumn> columns_of(const BearingResult& result) {
   const double largest = largest_force_N(result);
-  const bool three = unstated(result, errors);
-  const BearingErrors* const known = errors_of(result, errors);
+  const bool three = unstated(result);
+  const std::optional<BearingErrors>& known = result.errors;
   const double error_N = known ? known->any_force_N : 0, film_error = known ? known->smallest_film.value_or(0) : 0;
   const auto if_loaded = [largest, three](const ContactRow& inner, const std::optional<double>& value, double unit,
                                           int least_decimals, double error) -> std::string {
@@ -116,7 +109,7 @@ std::vector<RollerColumn> columns_of(const BearingResult& result, const ErrorsOf
   const auto of_force = [error_N](const ContactRow& inner) { return error_N / inner.force_N; };
   const auto of_film = [=](const ContactRow& inner) { return film_error + of_force(inner); };
   std::vector<RollerColumn> columns{
-      {"f_i", "N", [&result, &errors](const ContactRow& inner) { return force_text(result, errors, inner.force_N); }},
+      {"f_i", "N", [&result](const ContactRow& inner) { return force_text(result, inner.force_N); }},
       {"p_H", "MPa", [=](const ContactRow& inner) {
          return if_loaded(inner, inner.hertz_pressure_Pa, 1e-6, 0, of_force(inner) / 2);
        }}};
@@ -169,10 +162,10 @@ std::string rollers_table(const std::vector<BearingResult>& results,
 }
 
 /// One error for the forces of all rollers, of every law that states one.
-std::string error_of_forces(const std::vector<BearingResult>& results, const ErrorsOfLaws& errors) {
+std::string error_of_forces(const std::vector<BearingResult>& results) {
   std::string text;
   for (const BearingResult& result : results) {
-    const BearingErrors* known = errors_of(result, errors);
+    const std::optional<BearingErrors>& known = result.errors;
     if (result.rollers.empty() || !known || !std::isfinite(known->any_force_N)) continue;
     text += fmt::format("{}{} N ({})", text.empty() ? "\n  every f_i is known to " : ", ",
                         plain(number_in(rounded_up(known->any_force_N, 2))), name_of(result));  // 420, not 4.2e2
@@ -188,15 +181,14 @@ std::string displacement_text(const BearingResult& result, double um, double err
 }
 
 /// The absolute error of a displacement; NaN where a law with films has none.
-double error_of_displacement_um(const BearingResult& result, const ErrorsOfLaws& errors) {
-  const BearingErrors* const known = errors_of(result, errors);
+double error_of_displacement_um(const BearingResult& result) {
+  const std::optional<BearingErrors>& known = result.errors;
   return known ? 1e6 * known->displacement_m : needs_film(result.law) ? std::nan("") : 0;
 }
 
 /// The approach of each roller to the inner raceway. A fitted law is also as wrong as it is far from ehd.
-std::vector<RollerColumn> approach_column(const BearingResult& result, const ErrorsOfLaws& errors,
-                                          const BearingResult* full) {
-  const double own_um = error_of_displacement_um(result, errors);
+std::vector<RollerColumn> approach_column(const BearingResult& result, const BearingResult* full) {
+  const double own_um = error_of_displacement_um(result);
   const bool beside = result.fit && full && full->rollers.size() == result.rollers.size();
   return {{"delta_i", "um", [&result, own_um, full = beside ? full : nullptr](const ContactRow& inner) {
              double error_um = own_um;
@@ -221,7 +213,7 @@ std::string cost_table(const std::vector<BearingResult>& results) {
 
 /// Lateral displacement, load zone and stiffness of the ring. The error along the load is that of all entries of the
 /// stiffness; a fitted law is also as wrong as it is far from ehd.
-std::string ring_table(const std::vector<BearingResult>& results, const ErrorsOfLaws& errors) {
+std::string ring_table(const std::vector<BearingResult>& results) {
   const BearingResult* full = full_relation_in(results);
   Rows rows{{"ring", "lateral um", "loaded rollers from deg", "to", "stiffness N/um: xx", "yy", "xy"}};
   for (const BearingResult& result : results) {
@@ -234,7 +226,7 @@ std::string ring_table(const std::vector<BearingResult>& results, const ErrorsOf
     const double along = source.stiffness_N_per_m[0][0] * stiffness_error(source, full).value_or(std::nan(""));
     const double lateral_m = result.displacement_lateral_m;
     const bool rounding = std::abs(lateral_m) <= negligible_displacement * std::abs(result.displacement_m);
-    const double error_um = error_of_displacement_um(result, errors);
+    const double error_um = error_of_displacement_um(result);
     rows.push_back({name_of(result), rounding ? "0" : displacement_text(result, 1e6 * lateral_m, error_um, 4),
                     zone ? plain(zone->first, 5) : "-", zone ? plain(zone->second, 5) : "-"});
     const bool known = knows_stiffness(result, full);
@@ -317,13 +309,13 @@ std::string dynamics_table(const std::vector<BearingResult>& results) {
 }
 
 /// Stiffness and damping of the contacts around the bearing, at the first frequency, by laws that know damping.
-std::string contacts_in_motion(const BearingResult& result, const ErrorsOfLaws& errors) {
+std::string contacts_in_motion(const BearingResult& result) {
   if (result.dynamics.empty() || !result.dynamics.front().ring.damping_N_s_per_m) return "";
   const DynamicRow& at = result.dynamics.front();
   Rows rows{{"psi deg", "f_i N", "inner: N/um", "N s/m", "outer: N/um", "N s/m"}};
   for (const auto& [j, azimuth] : shown_rollers(result.rollers)) {
     const bearing::RollerMotion& roller = at.rollers[j];
-    std::vector<std::string> row{azimuth, force_text(result, errors, result.rollers[j].inner.force_N)};
+    std::vector<std::string> row{azimuth, force_text(result, result.rollers[j].inner.force_N)};
     for (const bearing::ContactMotion* contact : {&roller.inner, &roller.outer}) {
       const auto add = [&row](bool known, double value, double error) {
         row.push_back(known && std::isfinite(error) ? known_digits(value, error) : "-");
@@ -339,16 +331,16 @@ std::string contacts_in_motion(const BearingResult& result, const ErrorsOfLaws& 
 
 /// The ring over the positions of the cage, where the request has any. The error of a balance is that of the first
 /// position.
-std::string cage_table(const std::vector<BearingResult>& results, const ErrorsOfLaws& errors) {
+std::string cage_table(const std::vector<BearingResult>& results) {
   Rows rows{{"cage turning", "positions", "displacement um: mean", "peak to peak", "lateral um: mean", "peak to peak",
              "largest f_i N"}};
   for (const BearingResult& result : results) {
     if (result.rollers.empty() || !result.cage) continue;
     const auto& along = result.cage->displacement_m;
     const auto& across = result.cage->displacement_lateral_m;
-    const BearingErrors* known = errors_of(result, errors);
+    const std::optional<BearingErrors>& known = result.errors;
     const auto with = [&](double value, double BearingErrors::*error, double unit) {
-      return known ? with_absolute_error(unit * value, unit * (known->*error))
+      return known ? with_absolute_error(unit * value, unit * ((*known).*error))
                    : plain(unit * value, needs_film(result.law) ? unstated_digits : 6);
     };
     // Between two positions: twice the error of one.
@@ -431,18 +423,16 @@ std::string warnings(const std::vector<BearingResult>& results) {
 }  // namespace
 
 std::string human_table(const Case& bearing_case, const std::vector<BearingResult>& results, const BearingView& view) {
-  std::string text =
-      heading(bearing_case) + warnings(results) +
-      summary_table(std::get<BearingCase>(bearing_case.body), results, view.errors) +
-      rollers_table(results, [&](const BearingResult& result) { return columns_of(result, view.errors); }) +
-      error_of_forces(results, view.errors);
+  std::string text = heading(bearing_case) + warnings(results) +
+                     summary_table(std::get<BearingCase>(bearing_case.body), results) +
+                     rollers_table(results, [&](const BearingResult& result) { return columns_of(result); }) +
+                     error_of_forces(results);
   const BearingResult* full = full_relation_in(results);
-  const auto approaches = [&](const BearingResult& result) { return approach_column(result, view.errors, full); };
+  const auto approaches = [&](const BearingResult& result) { return approach_column(result, full); };
   if (view.details)
-    text += fmt::format("\n{}{}{}", rollers_table(results, approaches), cost_table(results),
-                        ring_table(results, view.errors));
-  text += cage_table(results, view.errors) + dynamics_table(results);
-  for (const BearingResult& result : results) text += contacts_in_motion(result, view.errors);
+    text += fmt::format("\n{}{}{}", rollers_table(results, approaches), cost_table(results), ring_table(results));
+  text += cage_table(results) + dynamics_table(results);
+  for (const BearingResult& result : results) text += contacts_in_motion(result);
   for (const BearingResult& result : results) {
     if (view.details && result.fit) text += fit_table(*result.fit);
   }

@@ -12,7 +12,6 @@ namespace ehd {
 
 struct BearingView {
   bool details = false;  ///< also costs, 2 x 2 stiffness, fitted lines, and notes on how the laws were made
-  ErrorsOfLaws errors = {};
 };
 
 /// One case: the summary of its laws, then the laws side by side over the rollers, and notes.

@@ -175,7 +175,10 @@ Columns bearing_columns() {
           at_path("datum_inner_x0_m", "datum.inner_x0_m"),
           at_path("datum_outer_x0_m", "datum.outer_x0_m"),
           {.name = "fit_used_outside", .cell = fit_used_outside},
-          extreme("lambda_ratio_minimum", "lambda_ratio", smaller)};
+          extreme("lambda_ratio_minimum", "lambda_ratio", smaller),
+          at_path("displacement_error_m", "errors.displacement_m"),
+          at_path("largest_force_error_N", "errors.largest_force_N"),
+          at_path("film_minimum_error", "errors.smallest_film_relative")};
 }
 
 const Columns& columns_of(const Sweep& sweep) {

@@ -72,6 +72,15 @@ struct RollingTorque {
   double error = 0;  ///< relative, of the rolling forces
 };
 
+/// Numerical errors of a balance with films: those of fit, interpolation and contact solves, added
+/// (bearing_errors.hpp). The datum is not among them: the case chooses it.
+struct BearingErrors {
+  double displacement_m = 0;                 ///< of the ring, along the load
+  double largest_force_N = 0;                ///< of the most loaded roller, inner raceway
+  double any_force_N = 0;                    ///< of the roller whose force is known least
+  std::optional<double> smallest_film = {};  ///< relative
+};
+
 struct BearingResult {
   std::string case_id;
   int version = 0;
@@ -97,6 +106,8 @@ struct BearingResult {
   std::optional<bearing::BothRaceways<bearing::FilmCurve>> curve = {};
   /// kappa over the force at the same raceways, where the request has frequencies and the law has curves.
   std::optional<bearing::BothRaceways<bearing::ResponseCurve>> response = {};
+  /// Of a law with films, where the law ehd was balanced too and every source has a bound.
+  std::optional<BearingErrors> errors = {};
   std::vector<VariantResult> variants;
   double balance_error = 0;
   double wall_s = 0;

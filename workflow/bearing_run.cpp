@@ -22,6 +22,7 @@
 #include "workflow/bearing_curve.hpp"
 #include "workflow/bearing_datum.hpp"
 #include "workflow/bearing_dynamics.hpp"
+#include "workflow/bearing_errors.hpp"
 #include "workflow/bearing_fit.hpp"
 #include "workflow/bearing_of_case.hpp"
 #include "workflow/plausibility.hpp"
@@ -250,8 +251,10 @@ std::vector<BearingResult> run_bearing(const Case& bearing_case, const BearingRe
       results.push_back(run_law(bearing_case, request, setup, law, std::move(plan), memory));
   }
   if (const BearingResult* full = full_relation_in(results))
-    for (BearingResult& result : results)
+    for (BearingResult& result : results) {
       if (result.fit && !result.rollers.empty()) judge_use_beside(result, *full);
+      result.errors = sum_of(numerical_budget(body, result, *full));
+    }
   return results;
 }
 

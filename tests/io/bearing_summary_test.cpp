@@ -36,8 +36,18 @@ BearingResult made_result() {
   return result;
 }
 
-const ErrorsOfLaws some_errors{
-    {bearing::Law::ehd, {.displacement_m = 2e-8, .largest_force_N = 3, .smallest_film = 1e-3}}};
+const BearingErrors some_errors{.displacement_m = 2e-8, .largest_force_N = 3, .smallest_film = 1e-3};
+
+BearingResult with(std::optional<BearingErrors> errors, BearingResult result = made_result()) {
+  result.errors = errors;
+  return result;
+}
+
+std::vector<BearingResult> with_errors_of_ehd(std::vector<BearingResult> results) {
+  for (BearingResult& result : results)
+    if (result.law == bearing::Law::ehd) result.errors = some_errors;
+  return results;
+}
 
 bool says(const std::string& text, const std::string& phrase) { return text.find(phrase) != std::string::npos; }
 
@@ -55,7 +65,7 @@ BOOST_AUTO_TEST_SUITE(bearing_summary)
 
 BOOST_AUTO_TEST_CASE(the_summary_has_the_numbers_of_the_loaded_rollers_with_their_errors) {
   const Case one = made::needle_bearing(10e-6);
-  const std::string text = summary_table(std::get<BearingCase>(one.body), {made_result()}, some_errors);
+  const std::string text = summary_table(std::get<BearingCase>(one.body), {with(some_errors)});
   for (const char* phrase :
        {"10.00(2)", "900(3)", "1202(2)", "+-60.00(7)", "3 of 4", "0.3000(3)", "3.000(3)", " 500\n"})
     BOOST_CHECK_MESSAGE(says(text, phrase), phrase << " is not in\n" << text);
@@ -67,7 +77,7 @@ BOOST_AUTO_TEST_CASE(the_summary_has_the_numbers_of_the_loaded_rollers_with_thei
 BOOST_AUTO_TEST_CASE(the_summary_says_where_pressure_and_film_are) {
   const Case one = made::needle_bearing(10e-6);
   BearingResult result = made_result();
-  const auto text = [&] { return summary_table(std::get<BearingCase>(one.body), {result}, some_errors); };
+  const auto text = [&] { return summary_table(std::get<BearingCase>(one.body), {with(some_errors, result)}); };
   BOOST_TEST(says(text(), " 0, outer\n  load zone"), text());
   BOOST_TEST(says(text(), " 0, outer\n  stiffness"), text());
   result.rollers[1].inner.film_minimum_m = 0.29e-6;
@@ -89,7 +99,7 @@ BOOST_AUTO_TEST_CASE(a_load_zone_has_an_error_where_the_ring_moves_along_the_loa
     const Case one = made::needle_bearing(clearance_m);
     BearingResult result = made_result();
     result.displacement_lateral_m = across_m;
-    const std::string text = summary_table(std::get<BearingCase>(one.body), {result}, some_errors);
+    const std::string text = summary_table(std::get<BearingCase>(one.body), {with(some_errors, result)});
     const auto at = text.find("load zone [deg]"), end = text.find('\n', at);
     return text.substr(text.rfind("  ", end) + 2, end - text.rfind("  ", end) - 2);
   };
@@ -110,7 +120,7 @@ BOOST_AUTO_TEST_CASE(a_stiffness_has_an_error_from_motion_at_rest_or_from_the_fu
   line.stiffness_N_per_m[0][0] = 4.87e8;
   dry.law = bearing::Law::hertz;
   const auto text = [&](const std::vector<BearingResult>& results) {
-    return summary_table(std::get<BearingCase>(one.body), results, some_errors);
+    return summary_table(std::get<BearingCase>(one.body), with_errors_of_ehd(results));
   };
   BOOST_TEST(says(text({films}), " 500(3)\n"));  // 2e-3 of the trace, and 0.1
   BOOST_TEST(says(text({dry, line, films}), " 500.1    4.9(2)e2      500(3)\n"), text({dry, line, films}));
@@ -135,7 +145,7 @@ BOOST_AUTO_TEST_CASE(a_stiffness_without_a_known_digit_is_left_out_of_text_and_j
   const auto is_given = [&](const BearingResult& last) {
     const Json json = to_json(last, &films);
     const bool given = json.contains("stiffness_N_per_m");
-    const std::string text = human_table(one, {films, last}, {.details = true, .errors = some_errors});
+    const std::string text = human_table(one, {with(some_errors, films), last}, {.details = true});
     const auto cells_of = [&](const std::string& head) {  // of the last law
       const auto at = text.find(head), end = text.find('\n', at);
       return text.substr(at, end - at);
@@ -178,7 +188,7 @@ BOOST_AUTO_TEST_CASE(the_torque_of_a_fitted_law_is_as_wrong_as_it_is_far_from_th
   line.fit->inner.points = line.fit->outer.points = {{}};
   line.torque = RollingTorque{.torque_N_m = 6.6, .error = 0.01};
   const auto text = [&](const std::vector<BearingResult>& results) {
-    return summary_table(std::get<BearingCase>(one.body), results, some_errors);
+    return summary_table(std::get<BearingCase>(one.body), with_errors_of_ehd(results));
   };
   BOOST_TEST(says(text({line, films}), "7(2)     8.00(8)\n"), text({line, films}));
   BOOST_TEST(says(text({line}), " 6.6\n"), text({line}));
@@ -221,14 +231,13 @@ BOOST_AUTO_TEST_CASE(the_table_of_motion_says_why_errors_of_a_line_are_larger) {
 // Every force is known to 42 N. p_H has half the relative error of the force, a film the whole one and its own.
 BOOST_AUTO_TEST_CASE(the_rollers_table_ends_a_number_at_the_first_digit_of_its_error) {
   const Case one = made::needle_bearing(10e-6);
-  const ErrorsOfLaws large{
-      {bearing::Law::ehd, {.displacement_m = 2e-9, .largest_force_N = 0.3, .any_force_N = 42, .smallest_film = 1e-3}}};
-  BearingResult result = made_result();
+  BearingResult result =
+      with(BearingErrors{.displacement_m = 2e-9, .largest_force_N = 0.3, .any_force_N = 42, .smallest_film = 1e-3});
   for (const std::size_t j : {1U, 3U}) {
     result.rollers[j].inner.force_N = 437;
     result.rollers[j].inner.hertz_pressure_Pa = 836.2e6;
   }
-  const std::string text = human_table(one, {result}, {.errors = large});
+  const std::string text = human_table(one, {result});
   for (const char* row : {"0          900  1200  0.31     3.1", "+-90       440   840  0.35     3.5",
                           "180         10     -     -       -"})
     BOOST_CHECK_MESSAGE(says(text, row), row << " is not in\n" << text);
@@ -236,8 +245,8 @@ BOOST_AUTO_TEST_CASE(the_rollers_table_ends_a_number_at_the_first_digit_of_its_e
 
 BOOST_AUTO_TEST_CASE(the_rollers_table_has_load_pressure_film_and_lambda_ratio) {
   const Case one = made::needle_bearing(10e-6);
-  const ErrorsOfLaws small{{bearing::Law::ehd, {.displacement_m = 2e-9, .largest_force_N = 0.3}}};
-  const std::string text = human_table(one, {made_result()}, {.errors = small});
+  const BearingErrors small{.displacement_m = 2e-9, .largest_force_N = 0.3};
+  const std::string text = human_table(one, {with(small)});
   for (const char* row :
        {"ehd: f_i   p_H    h_i  lambda", "0        900.0  1200  0.310    3.10", "180        5.0     -      -       -"})
     BOOST_CHECK_MESSAGE(says(text, row), row << " is not in\n" << text);
@@ -251,12 +260,12 @@ BOOST_AUTO_TEST_CASE(a_law_without_errors_has_no_brackets_and_an_empty_row_is_le
   for (RollerRow& roller : dry.rollers)
     for (ContactRow* at : {&roller.inner, &roller.outer}) at->film_minimum_m = at->lambda_ratio = std::nullopt;
   const Case one = made::needle_bearing(10e-6);
-  const std::string text = summary_table(std::get<BearingCase>(one.body), {dry}, {});
+  const std::string text = summary_table(std::get<BearingCase>(one.body), {dry});
   BOOST_TEST(!says(text, "("));
   BOOST_TEST(!says(text, "film"));
   BOOST_TEST(!says(text, "lambda"));
   dry.rollers.clear();
-  BOOST_TEST(summary_table(std::get<BearingCase>(one.body), {dry}, {}) == "");
+  BOOST_TEST(summary_table(std::get<BearingCase>(one.body), {dry}) == "");
 }
 
 // Only a dry law may have six digits: it is solved to rounding.
@@ -283,15 +292,16 @@ BOOST_AUTO_TEST_CASE(tables_of_cage_and_motion_print_the_digits_that_are_known) 
                  .displacement_m = {.mean = 10.1234567e-6, .peak_to_peak = 1.23456e-9},
                  .displacement_lateral_m = {.mean = 1e-22, .peak_to_peak = 2.34567e-9},
                  .largest_force_N = 912.345};
-  const auto shows = [&](const ErrorsOfLaws& errors, const std::string& mean, const std::string& largest,
-                         const std::string& along = "     0.00123", const std::string& across = "     0.00235") {
-    const std::string text = human_table(one, {result}, {.errors = errors});
+  const auto shows = [&](const std::optional<BearingErrors>& errors, const std::string& mean,
+                         const std::string& largest, const std::string& along = "     0.00123",
+                         const std::string& across = "     0.00235") {
+    const std::string text = human_table(one, {with(errors, result)});
     const std::string row = "  " + mean + "  " + along + "                 0  " + across + "\n";
     BOOST_TEST(says(text, row), text);
     BOOST_TEST(text.ends_with("  " + largest + "\n"), text);
   };
   shows(some_errors, "10.12(2)", "912(3)", "     < 0.042", "     < 0.043");  // twice the error of one displacement
-  shows({{bearing::Law::ehd, {.displacement_m = 2e-10, .largest_force_N = 3}}}, "10.1235(2)", "912(3)", "   0.0012(4)",
+  shows(BearingErrors{.displacement_m = 2e-10, .largest_force_N = 3}, "10.1235(2)", "912(3)", "   0.0012(4)",
         "   0.0023(4)");
   shows({}, "10.1", "912");
   result.law = bearing::Law::hertz;
@@ -313,9 +323,9 @@ BOOST_AUTO_TEST_CASE(details_print_the_digits_that_are_known) {
   line.fit->inner.points = line.fit->outer.points = {{}};
   line.rollers[2].inner.displacement_m = -45.4321e-6;
   line.stiffness_N_per_m[1][1] = 5.1234e8;
-  ErrorsOfLaws errors = some_errors;
+  full.errors = some_errors;
   const auto row = [&](const std::string& begin, const std::vector<BearingResult>& results) {
-    const std::string text = human_table(one, results, {.details = true, .errors = errors});
+    const std::string text = human_table(one, results, {.details = true});
     const auto at = text.find("\n  " + begin + " ", begin == "ehd" ? text.find("\n  ring") : text.find("delta_i"));
     return text.substr(at + 1, text.find('\n', at + 1) - at - 1);
   };
@@ -323,10 +333,10 @@ BOOST_AUTO_TEST_CASE(details_print_the_digits_that_are_known) {
   BOOST_TEST(row("180", {full}) == "  180          -2.35");
   BOOST_TEST(says(row("ehd", {full}), " 1.23 "), row("ehd", {full}));
   BOOST_TEST(row("ehd", {full}).ends_with("  500  412  31"), row("ehd", {full}));
-  errors[bearing::Law::ehd_linear] = {.displacement_m = 3e-7, .largest_force_N = 30};
+  line.errors = {.displacement_m = 3e-7, .largest_force_N = 30};
   BOOST_TEST(row("0", {line, full}) == "  0                     2.3          2.35");
   BOOST_TEST(row("180", {line, full}) == "  180                   -50         -2.35");
-  errors.clear();
+  full.errors.reset();
   BOOST_TEST(row("0", {full}) == "  0             2.35");
   full.law = bearing::Law::hertz;
   BOOST_TEST(row("0", {full}) == "  0              2.346");
@@ -337,7 +347,7 @@ BOOST_AUTO_TEST_CASE(details_and_the_film_of_unloaded_rollers_are_not_in_the_fir
   result.variants = {{.name = "cut at delta = 0", .rollers = result.rollers}};
   result.notes = {note::CutVariant{}, note::Oil{.remark = "about the oil"}};
   const Case one = made::needle_bearing(10e-6);
-  const std::string table = human_table(one, {result}, {.errors = some_errors});
+  const std::string table = human_table(one, {with(some_errors, result)});
   BOOST_TEST(says(table, "about the oil"));
   BOOST_TEST(!says(table, "variant"));
   BOOST_TEST(!says(table, "contacts solved"));

@@ -355,6 +355,9 @@ def audit_budget(said, result, inputs):
             said.equal(f"{name}: smallest film", row["smallest_film_relative"], curve["interpolation_error"])
         if row["of"].endswith(", films"):
             said.equal(f"{name}: the balance", [row[key] for key in numbers[:3]], [0, 0, 0])
+    for key in numbers:
+        said.near(f"errors.{key}", result["errors"][key],
+                  sum(row.get(key, 0) for row in result["error_budget"] if row["source"] != "datum"), relative=1e-14)
 
 
 def audit_variant(said, variant, result, inputs):

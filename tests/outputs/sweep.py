@@ -102,6 +102,10 @@ def audit_bearing_line(line, rows, roughness):
         forces = [(raceway, one[raceway]["force_N"]) for one in rollers for raceway in bearing.RACEWAYS]
         expected["fit_used_outside"] = sum(force > 0 and not ends[raceway][0] <= force <= ends[raceway][1]
                                            for raceway, force in forces)
+    if errors := result.get("errors"):
+        expected |= {"displacement_error_m": errors["displacement_m"],
+                     "largest_force_error_N": errors["largest_force_N"],
+                     "film_minimum_error": errors["smallest_film_relative"]}
     for column, value in expected.items():
         said.near(column, line[column], value, relative=1e-14)
     # Loaded: with any force, or with more than 1 % of the largest.

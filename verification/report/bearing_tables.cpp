@@ -45,21 +45,13 @@ void add_statements(Page& page, const std::vector<View>& statements) {
 }
 
 std::optional<BearingErrors> errors_of_balance(const View& law) {
-  const auto budget = law.list("error_budget");
-  const bool has_fit_row =
-      std::any_of(budget.begin(), budget.end(), [](const View& row) { return row.text("source") == "fit"; });
-  if (budget.empty() || (law.has("fit") && !has_fit_row)) return std::nullopt;
-  BearingErrors errors;
-  for (const View& row : budget) {
-    if (row.text("source") == "datum") continue;
-    const auto displacement_m = row.number("displacement_m"), largest_force_N = row.number("largest_force_N");
-    if (row.has("unknown") || !displacement_m || !largest_force_N) return std::nullopt;
-    errors.displacement_m += *displacement_m;
-    errors.largest_force_N += *largest_force_N;
-    if (const auto film = row.number("smallest_film_relative"))
-      errors.smallest_film = errors.smallest_film.value_or(0) + *film;
-  }
-  return errors;
+  const View errors = law["errors"];
+  const auto displacement_m = errors.number("displacement_m"), largest_force_N = errors.number("largest_force_N");
+  if (!displacement_m || !largest_force_N) return std::nullopt;
+  return BearingErrors{.displacement_m = *displacement_m,
+                       .largest_force_N = *largest_force_N,
+                       .any_force_N = errors.number("any_force_N").value_or(0),
+                       .smallest_film = errors.number("smallest_film_relative")};
 }
 
 void add_budgets(Page& page, const std::vector<View>& bearings) {

@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "io/bearing_summary.hpp"
 #include "verification/report/page.hpp"
+#include "workflow/bearing_result.hpp"
 
 namespace ehd::report {
 
-/// The errors of one law's balance: the sum of its budget but for the datum, which is a choice. Absent for a dry law,
-/// for a fitted one without the row "fit", and where a source of the budget has no bound.
+/// The errors of one law's balance (BearingResult::errors). Absent for a dry law, for a fitted one without the law ehd
+/// beside it, and where a source of error has no bound.
 [[nodiscard]] std::optional<BearingErrors> errors_of_balance(const View& law);
 
 /// By how much each simplification may move a balance: one table for all bearings.

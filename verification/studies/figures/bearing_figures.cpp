@@ -30,7 +30,7 @@ struct Made {
 
 Json law_json(const BearingResult& result) {
   Json whole = to_json(result), json = Json::object();
-  for (const char* key : {"law", "status", "why", "displacement_m", "rollers", "fit", "balance_error"})
+  for (const char* key : {"law", "status", "why", "displacement_m", "rollers", "fit", "balance_error", "errors"})
     if (whole.contains(key)) json[key] = whole[key];
   return json;
 }
