@@ -215,6 +215,23 @@ void require_solvable_load(const Case& bearing_case, const BearingCase& body) {
                                plain(largest_M), plain(most_N, 3), bearing::names_of(bearing::Laws::dry)));
 }
 
+/// L is that of the raceway's contact at any force: M = 1 stands for all. Beyond its range no contact with a film is
+/// solved. What is unusual about the bearing is said too: a slip of a unit may be why.
+void require_solvable_oil(const Case& bearing_case, const BearingCase& body) {
+  const auto contacts = raceway_contacts_of(body);
+  for (const bearing::Raceway raceway : bearing::both_raceways) {
+    const bearing::RacewayContact& contact = contacts.at(raceway);
+    try {
+      (void)nondimensionalise(contact.at(force_at_M_1_N(contact)), body.lubricant->lubricant, Flooded{});
+    } catch (const StatementError& error) {
+      std::string why = fmt::format("at the {} raceway {}; a dry law (--law {}) needs no oil", to_string(raceway),
+                                    error.what(), bearing::names_of(bearing::Laws::dry));
+      for (const Unusual& one : unusual(facts_of(body, {}))) why += "; " + sentence_of(one);
+      throw case_error(bearing_case, "lubricant", why);
+    }
+  }
+}
+
 }  // namespace
 
 void require_possible(const Case& bearing_case, const BearingRequest& request) {
@@ -236,8 +253,9 @@ void require_possible(const Case& bearing_case, const BearingRequest& request) {
                                  "a relative speed, or a dry law (--law {})",
                                  to_string(law), bearing::names_of(bearing::Laws::dry)));
   }
-  if (body.lubricant && std::any_of(request.laws.begin(), request.laws.end(), bearing::needs_film))
-    require_solvable_load(bearing_case, body);
+  if (!body.lubricant || std::none_of(request.laws.begin(), request.laws.end(), bearing::needs_film)) return;
+  require_solvable_oil(bearing_case, body);
+  require_solvable_load(bearing_case, body);
 }
 
 std::vector<BearingResult> run_bearing(const Case& bearing_case, const BearingRequest& request, ContactMemory& memory) {

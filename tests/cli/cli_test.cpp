@@ -602,15 +602,25 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_judged_is_skipped_with_a_reason_and_exit_cod
 // x_0 of the default datum is not finite there. ehd_run finds null in any JSON.
 BOOST_AUTO_TEST_CASE(a_datum_that_is_not_finite_is_absent) {
   const test::Folder folder;
-  const std::string na4908 = test::read(std::string(EHD_SOURCE_DIR) + "/cases/na4908.toml");
-  std::string stiff = na4908;
-  const std::string modulus = "modulus_Pa = 2.06e11";
-  BOOST_REQUIRE(stiff.find(modulus) != std::string::npos);
-  stiff.replace(stiff.find(modulus), modulus.size(), "modulus_Pa = 1e15");
-  const auto ended =
-      test::ehd_run(folder, "bearing " + folder.write("na4908.toml", stiff).string() + " --law ehd --json -");
+  const auto ended = test::ehd_run(folder,
+                                   "bearing na4908 --set material.modulus_Pa=1e15 "
+                                   "--set lubricant.viscosity=isoviscous --law ehd --json -");
   const json result = json::parse(ended.out);
   BOOST_TEST(result["law"] == "ehd");
+  BOOST_TEST(result["datum"].empty());
+}
+
+// L does not depend on the load: no contact of this bearing can be solved.
+BOOST_AUTO_TEST_CASE(an_oil_too_thick_for_any_film_is_bad_input) {
+  const test::Folder folder;
+  const std::string cold = "bearing na4908 --set lubricant.viscosity_Pa_s=500";
+  const auto ended = test::ehd_run(folder, cold);
+  BOOST_TEST(ended.exit_code == 2);
+  BOOST_TEST(ended.error_lines() == 1, ended.err);
+  BOOST_TEST(
+      ended.err.find("at the inner raceway L = 274.003 is out of range; allowed is 0 to 100") != std::string::npos,
+      ended.err);
+  BOOST_TEST(test::ehd_run(folder, cold + " --law hertz").exit_code == 0);
 }
 
 BOOST_AUTO_TEST_CASE(without_time_for_everything_what_is_finished_is_kept_and_the_rest_is_named) {

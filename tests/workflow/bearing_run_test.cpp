@@ -643,6 +643,23 @@ BOOST_AUTO_TEST_CASE(a_load_beyond_every_film_is_refused_in_one_line) {
   BOOST_TEST((run(one, {bearing::Law::hertz}, memory).at(0).status == StopReason::converged));
 }
 
+// Bad input: an oil so thick, as one too cold is, that L is out of range at every force.
+BOOST_AUTO_TEST_CASE(an_oil_beyond_every_film_is_refused_in_one_line) {
+  CountedContacts contacts;
+  ContactMemory memory(contacts.solver());
+  Case one = needle_bearing(0);
+  one.places["lubricant"] = {20};
+  body_of(one).lubricant->viscosity_Pa_s = 500;
+  BOOST_CHECK_EXCEPTION((void)run(one, {bearing::Law::ehd}, memory), CaseError, [](const CaseError& error) {
+    const std::string what = error.what();
+    return what.starts_with("needle.toml:20: [lubricant]: ") &&
+           what.find("at the inner raceway L = ") != std::string::npos &&
+           what.find("; allowed is 0 to 100") != std::string::npos && what.find('\n') == std::string::npos;
+  });
+  BOOST_TEST(contacts.total == 0);
+  BOOST_TEST((run(one, {bearing::Law::hertz}, memory).at(0).status == StopReason::converged));
+}
+
 // Published: the first balance of NA4908 in paper.md (Palmgren datum, fit over 2..12 kN), two digits; the films there
 // come from another program.
 BOOST_AUTO_TEST_CASE(the_needle_bearing_of_the_first_balance) {

@@ -142,12 +142,23 @@ BOOST_AUTO_TEST_CASE(a_contact_is_judged_in_SI_and_by_its_groups) {
 BOOST_AUTO_TEST_CASE(a_bearing_without_a_balance_is_judged_by_what_is_stated) {
   ContactMemory memory([](const Problem&, const Request&) { return Solution{}; });
   Case one = needle_bearing(0);
-  std::get<BearingCase>(one.body).operation.inner_speed_rpm = 3e6;
+  std::get<BearingCase>(one.body).operation.inner_speed_rpm = 1e6;
   const auto result = run_bearing(one, {.laws = {bearing::Law::ehd}, .explicitly = true}, memory).at(0);
   BOOST_TEST((result.status != StopReason::converged));
   const auto notes = notes_of(result);
   BOOST_TEST(std::any_of(notes.begin(), notes.end(),
                          [](const std::string& note) { return note.starts_with("surface speed = "); }));
+}
+
+// Where no contact of its oil can be solved, the refusal says it.
+BOOST_AUTO_TEST_CASE(a_bearing_refused_for_its_oil_is_judged_by_what_is_stated) {
+  ContactMemory memory([](const Problem&, const Request&) { return Solution{}; });
+  Case one = needle_bearing(0);
+  std::get<BearingCase>(one.body).operation.inner_speed_rpm = 3e6;
+  BOOST_CHECK_EXCEPTION((void)run_bearing(one, {.laws = {bearing::Law::ehd}}, memory), CaseError,
+                        [](const CaseError& error) {
+                          return std::string(error.what()).find("needs no oil; surface speed = ") != std::string::npos;
+                        });
 }
 
 BOOST_AUTO_TEST_SUITE_END()
