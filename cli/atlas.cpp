@@ -136,7 +136,7 @@ void describe_atlas(Command& command) {
   command.flag("--motion", options->motion, "stiffness, damping and waviness instead of the films at rest");
   command
       .text("--tolerance", options->tolerance,
-            "relative error allowed in the minimum and central film (1e-10; Barus 1e-7), or in kappa and amplitudes "
+            "relative error allowed in the minimum and central film (1e-10; Barus 1e-9), or in kappa and amplitudes "
             "(1e-5)")
       .called("T");
   command.text("--time-limit", options->time_limit, "seconds for each solve (30), or each point in motion (200)")

@@ -33,7 +33,7 @@ struct AtlasPoint {
   [[nodiscard]] double hertz_pressure_Pa() const;  ///< L sqrt(M/2pi)/alpha; 0 at L = 0
   [[nodiscard]] bool numerical_test() const;       ///< p_H above 4 GPa
   [[nodiscard]] ContactCase contact() const;
-  /// 1e-10; Barus 1e-7.
+  /// 1e-10; Barus 1e-9.
   [[nodiscard]] double usual_tolerance() const;
 };
 
