@@ -65,8 +65,8 @@ std::vector<GivenNumber> numbers_of(const std::vector<std::string>& texts) {
     const auto equals = text.find('=');
     const std::string name = text.substr(0, equals);
     if (std::find(names.begin(), names.end(), name) == names.end())
-      throw UsageError(
-          fmt::format("convert: {}: is unknown; {}allowed is {}", name, meant_by(name, names), list(names)));
+      throw UsageError(fmt::format("convert: {}: is unknown; {}allowed is NAME=NUMBER with a name out of {}", name,
+                                   meant_by(name, names), list(names)));
     if (equals == std::string::npos)
       throw UsageError(fmt::format("convert: {}: has no value; allowed is {}=NUMBER", name, name));
     const auto row = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());

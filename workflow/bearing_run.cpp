@@ -211,7 +211,7 @@ void require_solvable_load(const Case& bearing_case, const BearingCase& body) {
   if (body.operation.radial_load_N <= most_N) return;
   throw case_error(bearing_case, "operation.radial_load_N",
                    fmt::format("gives a roller more than M = {}, where no contact with a film is solved; allowed with "
-                               "this speed and oil is up to {} N, or a dry law (--law {})",
+                               "this speed and oil is up to {} N, or a dry law ({})",
                                plain(largest_M), plain(most_N, 3), bearing::names_of(bearing::Laws::dry)));
 }
 
@@ -224,7 +224,7 @@ void require_solvable_oil(const Case& bearing_case, const BearingCase& body) {
     try {
       (void)nondimensionalise(contact.at(force_at_M_1_N(contact)), body.lubricant->lubricant, Flooded{});
     } catch (const StatementError& error) {
-      std::string why = fmt::format("at the {} raceway {}; a dry law (--law {}) needs no oil", to_string(raceway),
+      std::string why = fmt::format("at the {} raceway {}; a dry law ({}) needs no oil", to_string(raceway),
                                     error.what(), bearing::names_of(bearing::Laws::dry));
       for (const Unusual& one : unusual(facts_of(body, {}))) why += "; " + sentence_of(one);
       throw case_error(bearing_case, "lubricant", why);
@@ -250,7 +250,7 @@ void require_possible(const Case& bearing_case, const BearingRequest& request) {
     const std::string both = "operation.inner_speed_rpm", one = "operation.speed_rpm";
     throw case_error(bearing_case, bearing_case.places.contains(both) ? both : one,
                      fmt::format("leaves the rings at rest against each other, where law {} does not exist; allowed is "
-                                 "a relative speed, or a dry law (--law {})",
+                                 "a relative speed, or a dry law ({})",
                                  to_string(law), bearing::names_of(bearing::Laws::dry)));
   }
   if (!body.lubricant || std::none_of(request.laws.begin(), request.laws.end(), bearing::needs_film)) return;

@@ -490,9 +490,12 @@ BOOST_AUTO_TEST_CASE(near_misses_of_words_are_named) {
         {"solve --M 20 --L 10 --density dowson-higinson", "did you mean dowson-higginson?"},
         {"bearing na4908 --set bearing.load_N=1e4", "did you mean operation.radial_load_N (radial load F_r)?"},
         {"convert l=10", "l: is unknown; did you mean L?"},
-        {"convert m=20 L=10", "m: is unknown; did you mean M? allowed is M, L, lambda, alpha_p_H, W, U_mean, G"},
+        {"convert m=20 L=10",
+         "m: is unknown; did you mean M? allowed is NAME=NUMBER with a name out of M, L, lambda, alpha_p_H, W, U_mean, "
+         "G"},
         {"convert u=1e-11", "u: is unknown; did you mean U_mean (Dowson and Hamrock: eta_0 u_s/(2E'R), mean speed)?"},
-        {"convert Q=20", "Q: is unknown; allowed is M, L, lambda, alpha_p_H, W, U_mean, G"},
+        {"convert Q=20",
+         "Q: is unknown; allowed is NAME=NUMBER with a name out of M, L, lambda, alpha_p_H, W, U_mean, G"},
         {"solve --m 20 --L 10", "--m: unknown; did you mean --M?"}})
     test::check_refused(folder, arguments, says);
 }
