@@ -59,6 +59,7 @@ Json to_json(const BearingResult& result, const ContactPlace& place) {
 
 Json to_json(const BearingErrors& errors) {
   return numbers({{"displacement_m", errors.displacement_m},
+                  {"displacement_lateral_m", errors.displacement_lateral_m},
                   {"largest_force_N", errors.largest_force_N},
                   {"any_force_N", errors.any_force_N},
                   {"smallest_film_relative", errors.smallest_film}});

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "bearing/geometry.hpp"
 #include "contact/text.hpp"
@@ -15,7 +14,7 @@ namespace ehd {
 
 namespace {
 
-constexpr double um_per_m = 1e6, MPa_per_Pa = 1e-6, N_per_um = 1e-6, deg_per_rad = 180 / std::numbers::pi;
+constexpr double um_per_m = 1e6, MPa_per_Pa = 1e-6, N_per_um = 1e-6;
 constexpr double rounding_deg = 1e-6;  // a load zone that lies less askew is symmetric
 
 /// The numbers of one law. A dry law is solved to rounding: six digits. A law with films has three where no error is
@@ -58,17 +57,17 @@ struct Column {
           return fmt::format("{}, {}", azimuth_text(group, azimuths[place->roller]), to_string(place->raceway));
     return "-";
   }
-  /// From cos psi = P_d/(2 delta): d(psi) = cot psi d(delta)/delta. No error is known of a ring that moves across too.
   [[nodiscard]] std::string load_zone() const {
-    const auto zone = geometric_load_zone_deg(result, body.geometry.clearance_m);
+    const double clearance_m = body.geometry.clearance_m;
+    const auto zone = geometric_load_zone_deg(result, clearance_m);
     if (!zone) return "-";
+    const auto error_deg = load_zone_error_deg(result, clearance_m);
+    const auto text = [&](double end) {
+      return error_deg ? with_absolute_error(end, *error_deg) : fmt::format("{:.1f}", end);
+    };
     if (std::abs(zone->first + zone->second) > rounding_deg)
-      return fmt::format("{:.1f} to {:.1f}", zone->first, zone->second);
-    const double cosine = body.geometry.clearance_m / 2 / result.displacement_m;
-    if (!result.errors || cosine <= -1) return fmt::format("+-{:.1f}", zone->second);
-    const double cotangent = std::abs(cosine) / std::sqrt(1 - cosine * cosine);
-    const double error_deg = deg_per_rad * cotangent * result.errors->displacement_m / result.displacement_m;
-    return "+-" + with_absolute_error(zone->second, error_deg);
+      return fmt::format("{} to {}", text(zone->first), text(zone->second));
+    return "+-" + text(zone->second);
   }
   [[nodiscard]] std::string loaded() const {
     return fmt::format("{} of {}", loaded_rollers(result.rollers), result.rollers.size());

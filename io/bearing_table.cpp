@@ -226,7 +226,9 @@ std::string ring_table(const std::vector<BearingResult>& results) {
     const double along = source.stiffness_N_per_m[0][0] * stiffness_error(source, full).value_or(std::nan(""));
     const double lateral_m = result.displacement_lateral_m;
     const bool rounding = std::abs(lateral_m) <= negligible_displacement * std::abs(result.displacement_m);
-    const double error_um = error_of_displacement_um(result);
+    const double error_um = result.errors            ? 1e6 * result.errors->displacement_lateral_m
+                            : needs_film(result.law) ? std::nan("")
+                                                     : 0;
     rows.push_back({name_of(result), rounding ? "0" : displacement_text(result, 1e6 * lateral_m, error_um, 4),
                     zone ? plain(zone->first, 5) : "-", zone ? plain(zone->second, 5) : "-"});
     const bool known = knows_stiffness(result, full);

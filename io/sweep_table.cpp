@@ -177,6 +177,7 @@ Columns bearing_columns() {
           {.name = "fit_used_outside", .cell = fit_used_outside},
           extreme("lambda_ratio_minimum", "lambda_ratio", smaller),
           at_path("displacement_error_m", "errors.displacement_m"),
+          at_path("displacement_lateral_error_m", "errors.displacement_lateral_m"),
           at_path("largest_force_error_N", "errors.largest_force_N"),
           at_path("film_minimum_error", "errors.smallest_film_relative")};
 }

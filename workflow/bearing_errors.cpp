@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bearing/force_law.hpp"
+#include "bearing/geometry.hpp"
 #include "bearing/plane.hpp"
 #include "workflow/bearing_run.hpp"
 
@@ -38,7 +39,9 @@ class Linearised {
   Linearised(const BearingResult& result, const bearing::ForceLaw& inner, const bearing::ForceLaw& outer)
       : result_(result) {
     bearing::Symmetric2 ring;
+    std::vector<double> azimuths_deg;
     for (const RollerRow& row : result.rollers) {
+      azimuths_deg.push_back(row.azimuth_deg);
       const double psi = row.azimuth_deg * std::numbers::pi / 180;
       const bool across = result.form != bearing::Form::radial;
       Roller roller{.direction = {std::cos(psi), across ? std::sin(psi) : 0}};
@@ -48,6 +51,7 @@ class Linearised {
       ring.add(roller.stiffness, roller.direction);
       rollers_.push_back(roller);
     }
+    symmetric_ = bearing::symmetric_to_load(azimuths_deg);
     const bearing::Symmetric2 inverse = bearing::pseudo_inverse(ring);  // few loaded rollers leave y free
     for (Roller& roller : rollers_) roller.moves_ring = roller.stiffness * (inverse * roller.direction);
   }
@@ -65,6 +69,7 @@ class Linearised {
     const std::size_t top = most_loaded(result_);
     for (std::size_t i = 0; i < rollers_.size(); ++i) {
       row.displacement_m += std::abs(rollers_[i].moves_ring.x) * off_m[i];
+      if (!symmetric_) row.displacement_lateral_m += std::abs(rollers_[i].moves_ring.y) * off_m[i];
       double size_N = 0;  // Sum |df_i/dg_j| g_j
       for (std::size_t j = 0; j < rollers_.size(); ++j) {
         const double gives = dot(rollers_[i].direction, rollers_[j].moves_ring) - (i == j ? 1 : 0);
@@ -85,6 +90,7 @@ class Linearised {
   };
   const BearingResult& result_;
   std::vector<Roller> rollers_;
+  bool symmetric_ = true;  ///< to the load
 };
 
 /// How far solver errors at the fitted contacts move the result.
@@ -100,6 +106,7 @@ BudgetRow bound_of_line(const BearingCase& body, const BearingResult& line) {
 
 void BudgetRow::meet(const BudgetRow& other) {
   displacement_m = std::max(displacement_m, other.displacement_m);
+  displacement_lateral_m = std::max(displacement_lateral_m, other.displacement_lateral_m);
   largest_force_N = std::max(largest_force_N, other.largest_force_N);
   any_force_N = std::max(any_force_N, other.any_force_N);
 }
@@ -107,6 +114,7 @@ void BudgetRow::meet(const BudgetRow& other) {
 BudgetRow difference(const BearingResult& one, const BearingResult& other) {
   BudgetRow row;
   row.displacement_m = std::abs(one.displacement_m - other.displacement_m);
+  row.displacement_lateral_m = std::abs(one.displacement_lateral_m - other.displacement_lateral_m);
   const std::size_t top = most_loaded(other);
   for (std::size_t j = 0; j < one.rollers.size() && j < other.rollers.size(); ++j) {
     const double change = std::abs(one.rollers[j].inner.force_N - other.rollers[j].inner.force_N);
@@ -172,11 +180,13 @@ std::optional<BearingErrors> sum_of(const std::vector<BudgetRow>& rows) {
   BearingErrors sum;
   for (const BudgetRow& row : rows) {
     sum.displacement_m += row.displacement_m;
+    sum.displacement_lateral_m += row.displacement_lateral_m;
     sum.largest_force_N += row.largest_force_N;
     sum.any_force_N += row.any_force_N;
     if (row.smallest_film) sum.smallest_film = sum.smallest_film.value_or(0) + *row.smallest_film;
   }
-  const double all = sum.displacement_m + sum.largest_force_N + sum.any_force_N + sum.smallest_film.value_or(0);
+  const double all = sum.displacement_m + sum.displacement_lateral_m + sum.largest_force_N + sum.any_force_N +
+                     sum.smallest_film.value_or(0);
   return std::isfinite(all) ? std::optional(sum) : std::nullopt;
 }
 

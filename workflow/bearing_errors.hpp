@@ -3,8 +3,8 @@
 //
 // Bounds are of first order. Let g be the error of a contact's approach at a fixed force, k and n the stiffness and the
 // direction of a roller. The ring then moves by du = K^(-1) Sum k g n, K = Sum k n n', and the roller's force changes
-// by k (n du - g). The sizes of the contacts' errors are added, whatever their signs. A difference is that of two
-// balances.
+// by k (n du - g). The sizes of the contacts' errors are added, whatever their signs. A ring that is symmetric to the
+// load stays on its line, because mirrored contacts have equal errors. A difference is that of two balances.
 #pragma once
 
 #include <optional>
@@ -21,11 +21,12 @@ struct BudgetRow {
   std::string of = {};                       ///< what was compared, or bounded, in words
   bool bound = false;                        ///< false: the size of a difference
   double displacement_m = 0;                 ///< of the ring, along the load
+  double displacement_lateral_m = 0;         ///< across it
   double largest_force_N = 0;                ///< of the most loaded roller, inner raceway
   double any_force_N = 0;                    ///< of the roller whose force changes most
   std::optional<double> smallest_film = {};  ///< relative, of the thinnest minimum film at any contact
 
-  /// Of displacement and forces the larger ones.
+  /// Of displacements and forces the larger ones.
   void meet(const BudgetRow& other);
 };
 

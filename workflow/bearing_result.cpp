@@ -120,4 +120,16 @@ std::optional<std::pair<double, double>> geometric_load_zone_deg(const BearingRe
   return std::pair(middle - half, middle + half);
 }
 
+std::optional<double> load_zone_error_deg(const BearingResult& result, double clearance_m) {
+  constexpr double degrees = 180 / std::numbers::pi;
+  const double along = result.displacement_m, across = result.displacement_lateral_m;
+  const double moved = std::hypot(along, across), cosine = clearance_m / 2 / moved;
+  if (!result.errors || !(moved > 0) || std::abs(cosine) >= 1) return std::nullopt;
+  const double along_error = result.errors->displacement_m, across_error = result.errors->displacement_lateral_m;
+  const double moved_error = (std::abs(along) * along_error + std::abs(across) * across_error) / moved;
+  const double turned = (std::abs(across) * along_error + std::abs(along) * across_error) / (moved * moved);
+  const double cotangent = std::abs(cosine) / std::sqrt(1 - cosine * cosine);
+  return degrees * (cotangent * moved_error / moved + turned);
+}
+
 }  // namespace ehd

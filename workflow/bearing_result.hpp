@@ -76,6 +76,7 @@ struct RollingTorque {
 /// (bearing_errors.hpp). The datum is not among them: the case chooses it.
 struct BearingErrors {
   double displacement_m = 0;                 ///< of the ring, along the load
+  double displacement_lateral_m = 0;         ///< across it
   double largest_force_N = 0;                ///< of the most loaded roller, inner raceway
   double any_force_N = 0;                    ///< of the roller whose force is known least
   std::optional<double> smallest_film = {};  ///< relative
@@ -155,5 +156,8 @@ struct ContactPlace {
 /// cos(half the zone) = P_d/(2 delta_r). Absent where it has not; the whole circle where preload holds every roller.
 [[nodiscard]] std::optional<std::pair<double, double>> geometric_load_zone_deg(const BearingResult& result,
                                                                                double clearance_m);
+/// The error of either end of that zone [deg]: the ring lies within its errors along and across the load. Absent
+/// without errors, and where preload holds every roller.
+[[nodiscard]] std::optional<double> load_zone_error_deg(const BearingResult& result, double clearance_m);
 
 }  // namespace ehd

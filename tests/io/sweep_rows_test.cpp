@@ -86,7 +86,7 @@ combine = "product"
   const auto csv = lines_of_text(test::read(folder.path() / "out/rows.csv"));
   const std::string added =
       "displacement_lateral_m,datum_inner_x0_m,datum_outer_x0_m,fit_used_outside,lambda_ratio_minimum,"
-      "displacement_error_m,largest_force_error_N,film_minimum_error";
+      "displacement_error_m,displacement_lateral_error_m,largest_force_error_N,film_minimum_error";
   BOOST_TEST(csv.at(0).ends_with(",contacts,reason," + added));
   const auto cells_of = [](const std::string& line) {
     std::vector<std::string> cells{""};
@@ -95,7 +95,7 @@ combine = "product"
         cells.emplace_back();
       else
         cells.back() += c;
-    return std::vector<std::string>(cells.end() - 8, cells.end());
+    return std::vector<std::string>(cells.end() - 9, cells.end());
   };
   const Json rows = Json::parse(test::read(folder.path() / "out/rows.json"));
   BOOST_REQUIRE(csv.size() == 1 + 2 * 3u);
@@ -107,7 +107,7 @@ combine = "product"
       BOOST_TEST(cells[0] == result["displacement_lateral_m"].dump());
       BOOST_TEST(std::stod(cells[0]) != 0);
       if (law == 0) {
-        for (std::size_t k = 1; k < 8; ++k) BOOST_TEST(cells[k].empty());
+        for (std::size_t k = 1; k < 9; ++k) BOOST_TEST(cells[k].empty());
         continue;
       }
       BOOST_TEST(cells[1] == result["datum"]["inner_x0_m"].dump());
@@ -128,8 +128,9 @@ combine = "product"
       EHD_CHECK(error(std::stod(cells[4]), ratio), Tolerance::round_off(2));
       const Json& errors = result["errors"];
       BOOST_TEST(cells[5] == errors["displacement_m"].dump());
-      BOOST_TEST(cells[6] == errors["largest_force_N"].dump());
-      BOOST_TEST(cells[7] == errors["smallest_film_relative"].dump());
+      BOOST_TEST(cells[6] == errors["displacement_lateral_m"].dump());
+      BOOST_TEST(cells[7] == errors["largest_force_N"].dump());
+      BOOST_TEST(cells[8] == errors["smallest_film_relative"].dump());
     }
   BOOST_TEST(datum[0] == datum[1]);  // of a row's laws
   BOOST_TEST(datum[0] != datum[2]);  // the default follows the row's own load

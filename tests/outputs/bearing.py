@@ -331,12 +331,13 @@ def difference(one, other):
               for a, b in zip(one["rollers"], other["rollers"], strict=True)]
     forces = [roller["inner"]["force_N"] for roller in other["rollers"]]
     return {"displacement_m": abs(one["displacement_m"] - other["displacement_m"]),
+            "displacement_lateral_m": abs(one["displacement_lateral_m"] - other["displacement_lateral_m"]),
             "largest_force_N": change[forces.index(max(forces))], "any_force_N": max(change),
             "smallest_film_relative": abs(thinnest(one)[0] / thinnest(other)[0] - 1)}
 
 
 def audit_budget(said, result, inputs):
-    numbers = ("displacement_m", "largest_force_N", "any_force_N", "smallest_film_relative")
+    numbers = ("displacement_m", "displacement_lateral_m", "largest_force_N", "any_force_N", "smallest_film_relative")
     for row in result["error_budget"]:
         name = f"error_budget {row['source']}, {row['of']}"
         for key in numbers:
@@ -346,7 +347,8 @@ def audit_budget(said, result, inputs):
         if row["kind"] == "difference":
             expected = difference(result, inputs.full) if row["source"] == "fit" else \
                 difference(inputs.data[row["of"]], result)
-            sizes = {"displacement_m": result["displacement_m"], "smallest_film_relative": 1.0}
+            sizes = {"displacement_m": result["displacement_m"], "displacement_lateral_m": result["displacement_m"],
+                     "smallest_film_relative": 1.0}
             for key in numbers:
                 said.near(f"{name}: {key}", row[key], expected[key],
                           absolute=BALANCED * sizes.get(key, inputs.bearing.load))
@@ -354,7 +356,7 @@ def audit_budget(said, result, inputs):
             curve = result["curve"][thinnest(result)[1]]
             said.equal(f"{name}: smallest film", row["smallest_film_relative"], curve["interpolation_error"])
         if row["of"].endswith(", films"):
-            said.equal(f"{name}: the balance", [row[key] for key in numbers[:3]], [0, 0, 0])
+            said.equal(f"{name}: the balance", [row[key] for key in numbers[:4]], [0, 0, 0, 0])
     for key in numbers:
         said.near(f"errors.{key}", result["errors"][key],
                   sum(row.get(key, 0) for row in result["error_budget"] if row["source"] != "datum"), relative=1e-14)

@@ -104,6 +104,7 @@ def audit_bearing_line(line, rows, roughness):
                                            for raceway, force in forces)
     if errors := result.get("errors"):
         expected |= {"displacement_error_m": errors["displacement_m"],
+                     "displacement_lateral_error_m": errors["displacement_lateral_m"],
                      "largest_force_error_N": errors["largest_force_N"],
                      "film_minimum_error": errors["smallest_film_relative"]}
     for column, value in expected.items():

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "workflow/bearing_errors.hpp"
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -12,9 +13,12 @@ namespace ehd {
 
 namespace {
 
-std::vector<BearingResult> balanced(const std::vector<bearing::Law>& laws) {
-  ContactMemory memory([](const Problem& problem, const Request&) { return made::contact(problem, 1e-3, 0); });
-  return run_bearing(made::needle_bearing(4e-6), {.laws = laws}, memory);
+/// By a solver that states an error of 1e-3 and is off by `share` of it; roller 1 stands at `first_deg`.
+std::vector<BearingResult> balanced(const std::vector<bearing::Law>& laws, double share = 0, double first_deg = 0) {
+  ContactMemory memory([share](const Problem& problem, const Request&) { return made::contact(problem, 1e-3, share); });
+  Case one = made::needle_bearing(4e-6);
+  std::get<BearingCase>(one.body).geometry.first_azimuth_deg = first_deg;
+  return run_bearing(one, {.laws = laws}, memory);
 }
 
 }  // namespace
@@ -35,6 +39,23 @@ BOOST_AUTO_TEST_CASE(a_law_with_films_has_errors_where_the_law_ehd_is_balanced_t
   BOOST_TEST(*three[2].errors->smallest_film > 0);
   BOOST_TEST(!balanced({bearing::Law::ehd_linear}).front().errors.has_value());
   BOOST_TEST(balanced({bearing::Law::ehd}).front().errors.has_value());
+}
+
+// Wrong films move the ring across the load only where the rollers are not symmetric to it.
+BOOST_AUTO_TEST_CASE(the_errors_cover_a_solver_that_is_wrong_by_its_stated_error_along_and_across_the_load) {
+  for (const double first_deg : {0.0, 3.0}) {
+    const BearingResult truth = balanced({bearing::Law::ehd}, 0, first_deg).front();
+    const BearingResult wrong = balanced({bearing::Law::ehd}, 1, first_deg).front();
+    BOOST_REQUIRE(truth.errors.has_value());
+    const double along_m = std::abs(wrong.displacement_m - truth.displacement_m);
+    const double across_m = std::abs(wrong.displacement_lateral_m - truth.displacement_lateral_m);
+    BOOST_TEST(along_m > 0);
+    BOOST_TEST(along_m <= truth.errors->displacement_m);
+    BOOST_TEST(across_m <= truth.errors->displacement_lateral_m);
+    BOOST_TEST((across_m > 0) == (first_deg > 0));
+    BOOST_TEST((truth.errors->displacement_lateral_m > 0) == (first_deg > 0));
+    BOOST_TEST(truth.errors->displacement_lateral_m < 2 * truth.errors->displacement_m);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_sum_with_an_infinite_source_is_not_known) {

@@ -28,6 +28,7 @@ BearingResult full_relation(const Case& bearing_case, const std::vector<BearingR
 /// The numbers of a row by their keys in the JSON.
 std::vector<std::pair<const char*, std::optional<double>>> numbers_of(const BudgetRow& row) {
   return {{"displacement_m", row.displacement_m},
+          {"displacement_lateral_m", row.displacement_lateral_m},
           {"largest_force_N", row.largest_force_N},
           {"any_force_N", row.any_force_N},
           {"smallest_film_relative", row.smallest_film}};

@@ -87,8 +87,8 @@ class Bearing(Result):
     ``rollers`` is a read-only structured array, one row a roller: ``azimuth_deg``, and for ``inner`` and ``outer``
     ``force_N``, ``displacement_m`` and, where they are known, ``film_minimum_m``, ``hertz_pressure_Pa``,
     ``lambda_ratio``; NaN where a roller has none. ``bearing["rollers"]`` is the list of the JSON, ``bearing["law"]``
-    the name of the law. With the law "ehd", ``bearing["errors"]`` has the numerical errors: ``displacement_m`` [m],
-    ``largest_force_N`` and ``any_force_N`` [N], ``smallest_film_relative``.
+    the name of the law. With the law "ehd", ``bearing["errors"]`` has the numerical errors: ``displacement_m`` and
+    ``displacement_lateral_m`` [m], ``largest_force_N`` and ``any_force_N`` [N], ``smallest_film_relative``.
     """
 
     __slots__ = ("_case", "_handle")
