@@ -19,9 +19,9 @@ constexpr std::size_t moves_back = 4;
 
 bool is_regular(double ratio) { return ratio >= least_ratio && ratio <= largest_ratio; }
 
-/// The last moves of a film, relative: r_m, r_(m-1), s_m, s_(m-1). Those of too few grids are 0.
+/// The last moves of a film, relative: r_m, r_(m-1), s_m, s_(m-1), s_(m-2). Those of too few grids are 0.
 struct Moves {
-  double r = 0, r_before = 0, s = 0, s_before = 0;
+  double r = 0, r_before = 0, s = 0, s_before = 0, s_first = 0;
   [[nodiscard]] bool regular() const { return is_regular(r_before / r); }
 };
 
@@ -34,6 +34,7 @@ Moves moves_of(const std::vector<double>& f) {
   moves.r_before = (R(m - 2) - R(m - 3)) / f[m - 1];
   moves.s = (S(m - 1) - S(m - 2)) / f[m - 1];
   if (m > 4) moves.s_before = (S(m - 2) - S(m - 3)) / f[m - 1];
+  if (m > 5) moves.s_first = (S(m - 3) - S(m - 4)) / f[m - 1];
   return moves;
 }
 
@@ -204,6 +205,14 @@ double smallest_film_error(const std::vector<double>& minimum, const std::vector
   const SmallestParts& by = own.regular() ? rule.regular : rule.irregular;
   return std::max({by.s * std::abs(own.s), by.r * std::abs(own.r), by.r_before * std::abs(own.r_before),
                    rule.s_before * std::abs(own.s_before), rule.move * move});
+}
+
+double compressible_film_error(const std::vector<double>& minimum, int finest) {
+  constexpr std::size_t least_grids = 6;
+  constexpr int least_intervals = 4000;
+  if (minimum.size() < least_grids || finest < least_intervals) return 0;
+  const Moves own = moves_of(minimum);
+  return std::max(std::abs(own.s_before) / 2, std::abs(own.s_first) / 4);
 }
 
 }  // namespace ehd::fast

@@ -141,7 +141,11 @@ double film_discretisation(const MappedClimb& climb, Quantity film, const Proble
                      : (grids.size() == 2 ? uncalibrated_safety_of_two : uncalibrated_safety) *
                            error_by_grids(grids, film, MapFit::again, std::max(L, mild_L));
   error = std::max(error, least_by_cut(problem, grids.size()) / std::pow(grids.back().nodes, 2));
-  return film == Quantity::film_central ? std::max(error, roughness_at_centre(climb.fields)) : error;
+  if (film == Quantity::film_central) return std::max(error, roughness_at_centre(climb.fields));
+  return is_trivial(problem.density)
+             ? error
+             : std::max(error,
+                        compressible_film_error(values_on_halves(grids, Quantity::film_minimum), grids.back().nodes));
 }
 
 /// The error of one quantity. `of_films`: relative, the least error of every quantity but the spike; `film`: H_cen.

@@ -182,6 +182,25 @@ BOOST_AUTO_TEST_CASE(the_error_of_the_smallest_film_follows_its_moves_and_the_ma
   BOOST_TEST(smallest_error(smooth, {}, MapFit::settled, mild) < smallest_error(smooth, {}, MapFit::settled, stiff));
 }
 
+// The last move is 0 here, and says nothing of an error that falls as h.
+BOOST_AUTO_TEST_CASE(the_smallest_film_of_a_compressible_oil_is_at_least_as_wrong_as_its_older_moves_say) {
+  const auto R = [](const std::vector<double>& f, std::size_t k) { return (4 * f[k] - f[k - 1]) / 3; };
+  const auto S = [&](const std::vector<double>& f, std::size_t k) { return (8 * R(f, k) - R(f, k - 1)) / 7; };
+  for (const double kink : {1e-4, -3e-4}) {
+    for (const std::size_t at : {2U, 3U}) {
+      std::vector<double> six(6, 0.2);
+      for (std::size_t k = 0; k <= at; ++k) six[k] += kink;
+      const double before = std::abs(S(six, 4) - S(six, 3)) / 0.2, first = std::abs(S(six, 3) - S(six, 2)) / 0.2;
+      BOOST_TEST(std::max(before, first) > 0);
+      EHD_CHECK(error(fast::compressible_film_error(six, 4096), std::max(before / 2, first / 4)),
+                Tolerance::round_off(64, 1000));
+      BOOST_TEST(fast::compressible_film_error(six, 2048) == 0);
+      six.erase(six.begin());
+      BOOST_TEST(fast::compressible_film_error(six, 4096) == 0);
+    }
+  }
+}
+
 // Moves that are no eighths of each other, as coarse grids have them. On 1000 intervals they may tell of a spike.
 BOOST_AUTO_TEST_CASE(irregular_moves_of_the_smallest_film_count_less_up_to_512_intervals) {
   const std::vector<double> four{0.2, 0.21, 0.207, 0.2065};
