@@ -35,14 +35,15 @@ struct Column {
     const double force_N = largest_force_N(result);
     return result.errors ? with_absolute_error(force_N, result.errors->largest_force_N) : without_error(force_N);
   }
-  /// p_H grows with the root of the force.
+  /// p_H grows with the root of the force: an error e of the force may lower p_H by 1 - sqrt(1 - e).
   [[nodiscard]] std::string largest_pressure() const {
     const auto place = largest_pressure_place(result);
     if (!place) return "-";
     const ContactRow& contact = contact_at(*place);
     const double MPa = MPa_per_Pa * *contact.hertz_pressure_Pa;
-    return result.errors ? with_error(MPa, result.errors->largest_force_N / contact.force_N / 2)
-                         : without_error(MPa, 5);
+    if (!result.errors) return without_error(MPa, 5);
+    const double force_error = result.errors->largest_force_N / contact.force_N;
+    return force_error < 1 ? with_error(MPa, 1 - std::sqrt(1 - force_error)) : "-";
   }
   [[nodiscard]] const ContactRow& contact_at(const ContactPlace& place) const {
     return result.rollers[place.roller].at(place.raceway);

@@ -111,7 +111,8 @@ std::vector<RollerColumn> columns_of(const BearingResult& result) {
   std::vector<RollerColumn> columns{
       {"f_i", "N", [&result](const ContactRow& inner) { return force_text(result, inner.force_N); }},
       {"p_H", "MPa", [=](const ContactRow& inner) {
-         return if_loaded(inner, inner.hertz_pressure_Pa, 1e-6, 0, of_force(inner) / 2);
+         const double of_root = 1 - std::sqrt(1 - std::min(of_force(inner), 1.0));
+         return if_loaded(inner, inner.hertz_pressure_Pa, 1e-6, 0, of_root);
        }}};
   if (!needs_film(result.law)) return columns;
   columns.push_back({"h_i", "um", [=](const ContactRow& inner) {
@@ -351,11 +352,13 @@ std::string cage_table(const std::vector<BearingResult>& results) {
       const double error_um = 2e6 * known->displacement_m;
       return um > 2 * error_um ? with_absolute_error(um, error_um) : "< " + rounded_up(um + error_um, 2);
     };
+    // Across the load the error differs much from position to position, and none is known of all.
+    const int across_digits = needs_film(result.law) ? unstated_digits : 6;
     const bool across_is_rounding = std::abs(across.mean) <= negligible_displacement * std::abs(along.mean);
     rows.push_back({name_of(result), std::to_string(result.cage->positions),
                     with(along.mean, &BearingErrors::displacement_m, 1e6), difference(1e6 * along.peak_to_peak),
-                    across_is_rounding ? "0" : with(across.mean, &BearingErrors::displacement_m, 1e6),
-                    difference(1e6 * across.peak_to_peak),
+                    across_is_rounding ? "0" : plain(1e6 * across.mean, across_digits),
+                    plain(1e6 * across.peak_to_peak, unstated_digits),
                     with(result.cage->largest_force_N, &BearingErrors::largest_force_N, 1)});
   }
   return below_line(rows);

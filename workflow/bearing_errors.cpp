@@ -111,18 +111,18 @@ void BudgetRow::meet(const BudgetRow& other) {
   any_force_N = std::max(any_force_N, other.any_force_N);
 }
 
-BudgetRow difference(const BearingResult& one, const BearingResult& other) {
+BudgetRow difference(const BearingResult& other, const BearingResult& result) {
   BudgetRow row;
-  row.displacement_m = std::abs(one.displacement_m - other.displacement_m);
-  row.displacement_lateral_m = std::abs(one.displacement_lateral_m - other.displacement_lateral_m);
-  const std::size_t top = most_loaded(other);
-  for (std::size_t j = 0; j < one.rollers.size() && j < other.rollers.size(); ++j) {
-    const double change = std::abs(one.rollers[j].inner.force_N - other.rollers[j].inner.force_N);
+  row.displacement_m = std::abs(other.displacement_m - result.displacement_m);
+  row.displacement_lateral_m = std::abs(other.displacement_lateral_m - result.displacement_lateral_m);
+  const std::size_t top = most_loaded(result);
+  for (std::size_t j = 0; j < other.rollers.size() && j < result.rollers.size(); ++j) {
+    const double change = std::abs(other.rollers[j].inner.force_N - result.rollers[j].inner.force_N);
     row.any_force_N = std::max(row.any_force_N, change);
     if (j == top) row.largest_force_N = change;
   }
-  const auto film = thinnest_film(one), other_film = thinnest_film(other);
-  if (film && other_film) row.smallest_film = std::abs(film->film_m / other_film->film_m - 1);
+  const auto film = thinnest_film(result), other_film = thinnest_film(other);
+  if (film && other_film) row.smallest_film = std::abs(other_film->film_m / film->film_m - 1);
   return row;
 }
 
@@ -140,7 +140,7 @@ std::vector<BudgetRow> numerical_budget(const BearingCase& body, const BearingRe
     rows.push_back(std::move(row));
   };
 
-  if (fitted) add(difference(result, full), "fit", "ehd-linear against ehd");
+  if (fitted) add(difference(full, result), "fit", "ehd-linear against ehd");
 
   // Bounds of the full relation's errors. Films are those of the law's own balance.
   const std::string whose = fitted ? ", law ehd" : "";

@@ -30,8 +30,8 @@ struct BudgetRow {
   void meet(const BudgetRow& other);
 };
 
-/// The difference of two balances of one bearing.
-[[nodiscard]] BudgetRow difference(const BearingResult& one, const BearingResult& other);
+/// How far another balance of the same bearing is from `result`, relative to the film of `result`.
+[[nodiscard]] BudgetRow difference(const BearingResult& other, const BearingResult& result);
 
 /// The numerical errors of a law with films, a row a source. `full` is the balance of the law ehd (`result` itself, if
 /// its law is that): the line ehd-linear is as far off as it differs from ehd ("fit") and as ehd itself is. Empty for a

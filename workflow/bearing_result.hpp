@@ -107,7 +107,8 @@ struct BearingResult {
   std::optional<bearing::BothRaceways<bearing::FilmCurve>> curve = {};
   /// kappa over the force at the same raceways, where the request has frequencies and the law has curves.
   std::optional<bearing::BothRaceways<bearing::ResponseCurve>> response = {};
-  /// Of a law with films, where the law ehd was balanced too and every source has a bound.
+  /// Of a law with films, where the law ehd was balanced too and every source has a bound. `ehd bearing` balances ehd
+  /// for a line that is asked for alone.
   std::optional<BearingErrors> errors = {};
   std::vector<VariantResult> variants;
   double balance_error = 0;

@@ -224,8 +224,9 @@ void require_solvable_oil(const Case& bearing_case, const BearingCase& body) {
     try {
       (void)nondimensionalise(contact.at(force_at_M_1_N(contact)), body.lubricant->lubricant, Flooded{});
     } catch (const StatementError& error) {
-      std::string why = fmt::format("at the {} raceway {}; a dry law ({}) needs no oil", to_string(raceway),
-                                    error.what(), bearing::names_of(bearing::Laws::dry));
+      std::string why = fmt::format(
+          "at the {} raceway {}; a thinner oil or a lower speed makes L smaller, and a dry law ({}) needs no oil",
+          to_string(raceway), error.what(), bearing::names_of(bearing::Laws::dry));
       for (const Unusual& one : unusual(facts_of(body, {}))) why += "; " + sentence_of(one);
       throw case_error(bearing_case, "lubricant", why);
     }

@@ -345,7 +345,7 @@ def audit_budget(said, result, inputs):
         said.equal(f"{name}: what has no bound", row.get("unknown", []), [])  # the audited results converged
         said.within(f"{name}: largest_force_N", row["largest_force_N"], high=row["any_force_N"])
         if row["kind"] == "difference":
-            expected = difference(result, inputs.full) if row["source"] == "fit" else \
+            expected = difference(inputs.full, result) if row["source"] == "fit" else \
                 difference(inputs.data[row["of"]], result)
             sizes = {"displacement_m": result["displacement_m"], "displacement_lateral_m": result["displacement_m"],
                      "smallest_film_relative": 1.0}

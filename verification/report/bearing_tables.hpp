@@ -10,8 +10,8 @@
 
 namespace ehd::report {
 
-/// The errors of one law's balance (BearingResult::errors). Absent for a dry law, for a fitted one without the law ehd
-/// beside it, and where a source of error has no bound.
+/// The errors of one law's balance (BearingResult::errors). Absent for a dry law, and where a source of error has
+/// no bound.
 [[nodiscard]] std::optional<BearingErrors> errors_of_balance(const View& law);
 
 /// By how much each simplification may move a balance: one table for all bearings.

@@ -336,6 +336,7 @@ Json made_results() {
   laws[2]["error_budget"] = Json::array({budget_row("interpolation", "bound", 2.6e-9)});
   const auto errors = [](double displacement_m, double largest_force_N, double film) {
     return Json{{"displacement_m", displacement_m},
+                {"displacement_lateral_m", 0.0},
                 {"largest_force_N", largest_force_N},
                 {"any_force_N", 6.8},
                 {"smallest_film_relative", film}};

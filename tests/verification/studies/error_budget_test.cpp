@@ -82,6 +82,13 @@ BOOST_AUTO_TEST_CASE(the_fits_row_is_the_difference_of_the_two_laws) {
   BOOST_TEST(fit.largest_force_N ==
              std::abs(results[1].rollers[0].inner.force_N - results[2].rollers[0].inner.force_N));
   BOOST_TEST(fit.any_force_N >= fit.largest_force_N);
+  const auto thinnest = [](const BearingResult& result) {
+    const ContactPlace place = smallest_film_place(result).value();
+    return *result.rollers[place.roller].at(place.raceway).film_minimum_m;
+  };
+  const double of_line = thinnest(results[1]), of_ehd = thinnest(results[2]);
+  BOOST_TEST((fit.smallest_film == std::abs(of_ehd / of_line - 1)));  // relative to the film beside which it stands
+  BOOST_TEST(of_ehd != of_line);
   BOOST_TEST(std::count_if(rows.begin(), rows.end(), [](const BudgetRow& row) { return row.source == "datum"; }) == 2);
 }
 
