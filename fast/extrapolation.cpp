@@ -212,7 +212,7 @@ double compressible_film_error(const std::vector<double>& minimum, int finest) {
   constexpr int least_intervals = 4000;
   if (minimum.size() < least_grids || finest < least_intervals) return 0;
   const Moves own = moves_of(minimum);
-  return std::max(std::abs(own.s_before) / 2, std::abs(own.s_first) / 4);
+  return std::max(std::abs(own.s_before), std::abs(own.s_first) / 2);
 }
 
 }  // namespace ehd::fast

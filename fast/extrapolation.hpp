@@ -72,8 +72,8 @@ enum class MapFit { first, again, settled };
 
 /// Least relative error of a compressible oil's smallest film. Beside a narrow spike its error falls only as h, and its
 /// size depends on where between the nodes the pressure falls (carried_density.hpp). So the last move may be small by
-/// chance, and the two before it count with what the halvings since then leave: max(|s_(m-1)|/2, |s_(m-2)|/4). 0 with
-/// fewer than six grids, and where the last has fewer than 4000 intervals: there other errors are larger.
+/// chance, and the two before it count with twice what the halvings since then leave: max(|s_(m-1)|, |s_(m-2)|/2). 0
+/// with fewer than six grids, and where the last has fewer than 4000 intervals: there other errors are larger.
 [[nodiscard]] double compressible_film_error(const std::vector<double>& minimum, int finest);
 
 /// A single move may be small by chance: each error is at least this share of the largest relative error of the films.
