@@ -191,7 +191,7 @@ void add_case(Account& account, const Case& one, std::vector<BearingResult>& res
       if (const auto why = why_no_budget(one, results, result.law, memory))
         result.notes.emplace_back(note::NoBudget{*why});
     if (result.fit && !full_relation_in(results)) result.notes.emplace_back(note::LineAlone{.ehd_failed = by_ehd});
-    result.errors = numerical_errors(budget);
+    if (!result.errors) result.errors = numerical_errors(budget);  // of a line without ehd beside it
     account.list.push_back(to_json(result, full_relation_in(results)));
     if (!budget.empty()) {
       account.list.back()["error_budget"] = to_json(budget);

@@ -21,7 +21,7 @@ bool is_regular(double ratio) { return ratio >= least_ratio && ratio <= largest_
 
 /// The last moves of a film, relative: r_m, r_(m-1), s_m, s_(m-1), s_(m-2). Those of too few grids are 0.
 struct Moves {
-  double r = 0, r_before = 0, s = 0, s_before = 0, s_first = 0;
+  double r = 0, r_before = 0, s = 0, s_before = 0, s_two_before = 0;
   [[nodiscard]] bool regular() const { return is_regular(r_before / r); }
 };
 
@@ -34,7 +34,7 @@ Moves moves_of(const std::vector<double>& f) {
   moves.r_before = (R(m - 2) - R(m - 3)) / f[m - 1];
   moves.s = (S(m - 1) - S(m - 2)) / f[m - 1];
   if (m > 4) moves.s_before = (S(m - 2) - S(m - 3)) / f[m - 1];
-  if (m > 5) moves.s_first = (S(m - 3) - S(m - 4)) / f[m - 1];
+  if (m > 5) moves.s_two_before = (S(m - 3) - S(m - 4)) / f[m - 1];
   return moves;
 }
 
@@ -212,7 +212,7 @@ double compressible_film_error(const std::vector<double>& minimum, int finest) {
   constexpr int least_intervals = 4000;
   if (minimum.size() < least_grids || finest < least_intervals) return 0;
   const Moves own = moves_of(minimum);
-  return std::max(std::abs(own.s_before), std::abs(own.s_first) / 2);
+  return std::max(std::abs(own.s_before), std::abs(own.s_two_before) / 2);
 }
 
 }  // namespace ehd::fast

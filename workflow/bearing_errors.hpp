@@ -30,7 +30,8 @@ struct BudgetRow {
   void meet(const BudgetRow& other);
 };
 
-/// How far another balance of the same bearing is from `result`, relative to the film of `result`.
+/// How far another balance of the same bearing is from `result`. The change of the film is relative to that of
+/// `result`.
 [[nodiscard]] BudgetRow difference(const BearingResult& other, const BearingResult& result);
 
 /// The numerical errors of a law with films, a row a source. `full` is the balance of the law ehd (`result` itself, if

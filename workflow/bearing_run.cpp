@@ -215,8 +215,8 @@ void require_solvable_load(const Case& bearing_case, const BearingCase& body) {
                                plain(largest_M), plain(most_N, 3), bearing::names_of(bearing::Laws::dry)));
 }
 
-/// L is that of the raceway's contact at any force: M = 1 stands for all. Beyond its range no contact with a film is
-/// solved. What is unusual about the bearing is said too: a slip of a unit may be why.
+/// A raceway has the same L at every force. So one contact, that of M = 1, tells whether L is in its range, beyond
+/// which no contact with a film is solved. The refusal also names unusual numbers: one of them may have a wrong unit.
 void require_solvable_oil(const Case& bearing_case, const BearingCase& body) {
   const auto contacts = raceway_contacts_of(body);
   for (const bearing::Raceway raceway : bearing::both_raceways) {
@@ -224,6 +224,7 @@ void require_solvable_oil(const Case& bearing_case, const BearingCase& body) {
     try {
       (void)nondimensionalise(contact.at(force_at_M_1_N(contact)), body.lubricant->lubricant, Flooded{});
     } catch (const StatementError& error) {
+      if (error.key() != "L") continue;  // the contacts say what else is wrong
       std::string why = fmt::format(
           "at the {} raceway {}; a thinner oil or a lower speed makes L smaller, and a dry law ({}) needs no oil",
           to_string(raceway), error.what(), bearing::names_of(bearing::Laws::dry));
