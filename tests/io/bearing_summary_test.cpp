@@ -109,6 +109,21 @@ BOOST_AUTO_TEST_CASE(a_load_zone_has_an_error_by_size_and_direction_of_the_displ
   BOOST_TEST(zone(10e-6, 10e-6) == "-24.30(8) to 114.30(8)");
 }
 
+// A force of 903 N that is known to 90 % may be a tenth of it, and its pressure a third.
+BOOST_AUTO_TEST_CASE(a_pressure_follows_the_root_of_a_force_that_is_hardly_known) {
+  const Case one = made::needle_bearing(10e-6);
+  const auto pressure = [&](double error_N) {
+    const BearingResult result = with(BearingErrors{.displacement_m = 2e-8, .largest_force_N = error_N});
+    const std::string text = summary_table(std::get<BearingCase>(one.body), {result});
+    const auto at = text.find("its maximum pressure"), end = text.find('\n', at);
+    if (at == std::string::npos) return std::string("left out");
+    return text.substr(text.rfind("  ", end) + 2, end - text.rfind("  ", end) - 2);
+  };
+  BOOST_TEST(pressure(3) == "1202(2)");
+  BOOST_TEST(pressure(0.9 * 903) == "1.2(9)e3");
+  BOOST_TEST(pressure(904) == "left out");
+}
+
 // The motion at 0 Hz is the same stiffness by another way; a line is off by its distance from the full relation.
 BOOST_AUTO_TEST_CASE(a_stiffness_has_an_error_from_motion_at_rest_or_from_the_full_relation) {
   const Case one = made::needle_bearing(10e-6);
